@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Everything comes from the distribution's packages; nothing is downloaded at build time.
+foreach(module core math poses serialization io img obs opengl maps tclap)
+  find_package(mrpt-${module} REQUIRED)
+endforeach()
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(Threads REQUIRED)
+if(VOXELAND_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+if(VOXELAND_BUILD_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# How each kind of target of this project is built, in one place.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+set(VOXELAND_PLUGIN_INSTALL_DIR "${CMAKE_INSTALL_LIBDIR}/voxeland")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+function(voxeland_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
+    $<$<BOOL:${VOXELAND_WERROR}>:-Werror>)
+endfunction()
+
+# voxeland_program(NAME source...): a command line program in build/bin.
+function(voxeland_program name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE voxeland mrpt::tclap)
+  voxeland_warnings(${name})
+  install(TARGETS ${name} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endfunction()
+
+# voxeland_plugin(NAME source...): a plugin NAME.so in build/lib/voxeland. Unresolved symbols are
+# reported when it is loaded, and it is never unloaded (MRPT's class registry points into it).
+function(voxeland_plugin name)
+  add_library(${name} MODULE ${ARGN})
+  target_link_libraries(${name} PRIVATE voxeland)
+  target_link_options(${name} PRIVATE -Wl,-z,now,-z,nodelete)
+  set_target_properties(${name} PROPERTIES PREFIX ""
+    LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib/voxeland"
+    INSTALL_RPATH "$ORIGIN/..")
+  voxeland_warnings(${name})
+  install(TARGETS ${name} LIBRARY DESTINATION "${VOXELAND_PLUGIN_INSTALL_DIR}")
+endfunction()
+
+# voxeland_test(NAME source...): a GoogleTest program; every TEST becomes one ctest.
+function(voxeland_test name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE voxeland_test_support GTest::gtest_main)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  voxeland_warnings(${name})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/observations/CObservationInstances.h"
+
+#include <memory>
+#include <string>
+
+namespace mrpt::obs
+{
+class CObservation3DRangeScan;
+}
+
+namespace voxeland
+{
+/** What goes into a rawlog for one frame. All parts carry the frame's timestamp. */
+struct RgbdRecord
+{
+    std::shared_ptr<mrpt::obs::CObservation3DRangeScan> scan;  //!< depth and registered colour
+    /** Pose of the robot in the world; the scan's sensorPose is relative to it. Null: unknown. */
+    std::shared_ptr<mrpt::math::TPose3D> robotPose;
+    CObservationInstances::Ptr instances;  //!< predictions, or null
+};
+
+/** Writes RGB-D frames, poses and predictions as a stock MRPT rawlog (observations format, gz).
+ *  Everything is written beside the target under a temporary name and put in place by close():
+ *  a run that dies leaves no half-written rawlog. */
+class RgbdRawlogWriter
+{
+ public:
+    /** Where predictions and images go. */
+    struct Options
+    {
+        /** true: predictions inside the rawlog; false: in the sidecar NAME.instances.rawlog. */
+        bool embedInstances = false;
+        /** true: images inside the rawlog; false: in the folder NAME_Images, loaded when needed. */
+        bool embedImages = false;
+        /** Free text stored as the rawlog's first entry (CObservationComment); empty: none. */
+        std::string comment;
+    };
+
+    /** \param file target, ending in .rawlog
+     *  \throws std::runtime_error if it cannot be written */
+    RgbdRawlogWriter(const std::string& file, const Options& options);
+    /** Removes what was written unless close() was called. */
+    ~RgbdRawlogWriter();
+    RgbdRawlogWriter(const RgbdRawlogWriter&) = delete;
+    RgbdRawlogWriter& operator=(const RgbdRawlogWriter&) = delete;
+
+    /** Appends a frame. The record's scan may be changed (its images are moved to files).
+     *  \throws std::runtime_error if it cannot be written */
+    void write(const RgbdRecord& record);
+    /** Completes the files and puts them in place. */
+    void close();
+
+ private:
+    struct Implementation;
+    std::unique_ptr<Implementation> m;
+};
+}  // namespace voxeland

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/grid/VoxelCoord.h"
+
+#include <vector>
+
+namespace voxeland
+{
+/** A cell of a grid with what lies in it. */
+struct WeightedCell
+{
+    VoxelCoord coord;
+    float weight = 1;  //!< e.g. number of points
+    float coreWeight =
+        1;  //!< weight within the neighbourhood (itself included) that makes it a core
+};
+
+/** Density-based clustering (DBSCAN; Ester et al., 1996) on the cells of a grid instead of on raw
+ *  points: the neighbourhood of a cell is the cube of +-`radius` cells around it. A cell reached
+ *  from no core is noise.
+ *
+ *  Cost: O(cells * (2 radius + 1)^3). The result depends on the order of the cells only in which
+ *  cluster claims a border cell.
+ *
+ *  \param cells distinct coordinates
+ *  \return per cell the number of its cluster, from 0 in order of first core, or -1 for noise */
+std::vector<int> clusterByDensity(const std::vector<WeightedCell>& cells, int radius);
+
+/** The cluster with most weight (the first among equals), or -1 if all is noise. */
+int heaviestCluster(const std::vector<WeightedCell>& cells, const std::vector<int>& clusters);
+}  // namespace voxeland
