@@ -26,7 +26,7 @@ endfunction()
 # voxeland_program(NAME source...): a command line program in build/bin.
 function(voxeland_program name)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE voxeland mrpt::tclap)
+  target_link_libraries(${name} PRIVATE voxeland_apps_common)
   voxeland_warnings(${name})
   install(TARGETS ${name} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endfunction()

@@ -8,7 +8,7 @@ namespace voxeland::test
 /** A folder of its own for one test, removed with everything in it at the end. */
 class TemporaryFolder
 {
-   public:
+ public:
     TemporaryFolder();
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -21,7 +21,7 @@ class TemporaryFolder
         return (m_path / name).string();
     }
 
-   private:
+ private:
     std::filesystem::path m_path;
 };
 

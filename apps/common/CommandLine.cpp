@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/CommandLine.h"
+
+#include "voxeland/errors.h"
+
+#include <algorithm>
+#include <iostream>
+#include <new>
+
+using mrpt::system::VerbosityLevel;
+
+namespace voxeland::apps
+{
+namespace
+{
+constexpr const char* LEVELS = "DEBUG, INFO, WARN, ERROR";
+
+/** Prints the description untouched (TCLAP would refill its lines) and wrong usage in one sentence.
+ */
+class HelpOutput : public TCLAP::StdOutput
+{
+ public:
+    void usage(TCLAP::CmdLineInterface& c) override
+    {
+        std::cout << c.getMessage() << "\n\nOptions:\n";
+        auto arguments = c.getArgList();
+        arguments.reverse();
+        for (const TCLAP::Arg* a : arguments) {
+            if (a->longID() == "--ignore_rest" || a->getName() == "ignore_rest") continue;
+            std::cout << "  " << a->longID() << "\n";
+            spacePrint(std::cout, a->getDescription(), 96, 6, 0);
+        }
+    }
+    void version(TCLAP::CmdLineInterface& c) override
+    {
+        std::cout << c.getProgramName() << " " << c.getVersion() << "\n";
+    }
+    void failure(TCLAP::CmdLineInterface& c, TCLAP::ArgException& e) override
+    {
+        std::cerr << c.getProgramName() << ": " << e.argId() << ": " << e.error()
+                  << ". See --help.\n";
+        throw TCLAP::ExitException(1);
+    }
+};
+
+HelpOutput helpOutput;
+
+/** The first line of a message: MRPT appends its call stack. */
+std::string sentence(const std::exception& e)
+{
+    std::string text = e.what();
+    return text.substr(0, text.find('\n'));
+}
+
+int fail(const char* program, const std::exception& e, int exitCode)
+{
+    std::cerr << program << ": " << sentence(e) << "\n";
+    return exitCode;
+}
+}  // namespace
+
+CommandLine::CommandLine(const std::string& description)
+    : m_parser(description, ' ', VOXELAND_VERSION),
+      m_verbosity("v", "verbosity", std::string("Least severe messages to show: ") + LEVELS, false,
+                  "INFO", "LEVEL"),
+      m_quiet("", "quiet", "No progress and no messages but warnings and errors")
+{
+    m_parser.setOutput(&helpOutput);
+    m_parser.add(m_quiet);
+    m_parser.add(m_verbosity);
+}
+
+void CommandLine::parse(int argc, char** argv)
+{
+    m_parser.parse(argc, argv);
+    verbosity();
+}
+
+VerbosityLevel CommandLine::verbosity() const
+{
+    if (m_quiet.isSet()) return mrpt::system::LVL_WARN;
+    std::string name = const_cast<TCLAP::ValueArg<std::string>&>(m_verbosity).getValue();
+    std::transform(name.begin(), name.end(), name.begin(), ::toupper);
+    for (const auto& [level, text] :
+         {std::pair(mrpt::system::LVL_DEBUG, "DEBUG"), std::pair(mrpt::system::LVL_INFO, "INFO"),
+          std::pair(mrpt::system::LVL_WARN, "WARN"), std::pair(mrpt::system::LVL_ERROR, "ERROR")})
+        if (name == text) return level;
+    throw ConfigurationError("verbosity '" + name + "' is not one of " + LEVELS);
+}
+
+int runProgram(const char* program, const std::function<int()>& body)
+{
+    try {
+        return body();
+    } catch (const ConfigurationError& e) {
+        return fail(program, e, 1);
+    } catch (const PluginError& e) {
+        return fail(program, e, 2);
+    } catch (const NothingToMapError& e) {
+        return fail(program, e, 4);
+    } catch (const OutputError& e) {
+        return fail(program, e, 5);
+    } catch (const std::bad_alloc&) {
+        std::cerr << program << ": out of memory: use a coarser resolution or a smaller input\n";
+        return 3;
+    } catch (const std::exception& e) {
+        return fail(program, e, 3);
+    }
+}
+}  // namespace voxeland::apps

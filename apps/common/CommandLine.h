@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <mrpt/3rdparty/tclap/CmdLine.h>
+#include <mrpt/system/COutputLogger.h>
+
+#include <functional>
+#include <string>
+
+namespace voxeland::apps
+{
+/** What every program of the project has in common on its command line: `--help` that shows
+ * examples,
+ *  `--version`, `-v/--verbosity` and `--quiet`. Add the program's own arguments to parser(). */
+class CommandLine
+{
+ public:
+    /** \param description what the program does, and examples; printed as it is by --help */
+    explicit CommandLine(const std::string& description);
+
+    [[nodiscard]] TCLAP::CmdLine& parser() { return m_parser; }
+    /** Parses; ends the program with exit code 1 on wrong usage, 0 after --help and --version.
+     *  \throws ConfigurationError for an unknown verbosity */
+    void parse(int argc, char** argv);
+    /** Least severe message to show. */
+    [[nodiscard]] mrpt::system::VerbosityLevel verbosity() const;
+    [[nodiscard]] bool quiet() const { return m_quiet.isSet(); }
+
+ private:
+    TCLAP::CmdLine m_parser;
+    TCLAP::ValueArg<std::string> m_verbosity;
+    TCLAP::SwitchArg m_quiet;
+};
+
+/** Runs a program's body; an exception becomes one sentence on stderr and its exit code (see
+ *  voxeland/errors.h; 3 for anything else that MRPT or a library threw while reading).
+ *  \return exit code of the program */
+int runProgram(const char* program, const std::function<int()>& body);
+}  // namespace voxeland::apps

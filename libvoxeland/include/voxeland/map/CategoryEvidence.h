@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace voxeland
+{
+/** Number of a category name within one map, from 0 in order of appearance. */
+using category_id_t = uint32_t;
+
+/** Category names a map has met: an open set, extended whenever a new one comes. */
+class CategoryTable
+{
+ public:
+    /** Number of a name, added if new. */
+    category_id_t add(const std::string& name);
+    /** Name of a number; throws std::out_of_range for one that was never given. */
+    [[nodiscard]] const std::string& name(category_id_t id) const { return m_names.at(id); }
+    [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
+    [[nodiscard]] size_t size() const { return m_names.size(); }
+
+ private:
+    std::vector<std::string> m_names;
+    std::unordered_map<std::string, category_id_t> m_ids;
+};
+
+/** Concentration parameters beta_l of one instance's Dirichlet distribution over categories: the
+ * sum of confidences of the opinions that named category l (paper, "Map Representation").
+ * Categories without evidence are not stored; entries are ordered by id. */
+class CategoryEvidence
+{
+ public:
+    struct Entry
+    {
+        category_id_t category = 0;
+        double beta = 0;  //!< accumulated confidence, > 0
+    };
+
+    [[nodiscard]] const std::vector<Entry>& entries() const { return m_entries; }
+    [[nodiscard]] bool empty() const { return m_entries.empty(); }
+    [[nodiscard]] double total() const;
+    [[nodiscard]] double betaOf(category_id_t category) const;
+    /** Adds evidence (may be negative to take some back; an entry that reaches zero goes). */
+    void add(category_id_t category, double beta);
+    /** Adds all of another's evidence, scaled. */
+    void add(const CategoryEvidence& other, double scale = 1);
+
+ private:
+    std::vector<Entry> m_entries;
+};
+
+/** Semantic similarity S_sem = 1 - JSD of the two means, in [0,1] (paper, "Data Association";
+ * base-2 logarithms). 0 if either has no evidence. */
+double semanticSimilarity(const CategoryEvidence& a, const CategoryEvidence& b);
+}  // namespace voxeland

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/grid/VoxelCoord.h"
+#include "voxeland/map/CategoryEvidence.h"
+#include "voxeland/map/VoxelEvidence.h"
+
+#include <cstdint>
+#include <set>
+
+namespace voxeland
+{
+/** What a map knows of one object, besides the evidence in its voxels. */
+struct Instance
+{
+    instance_id_t id = UNKNOWN_INSTANCE;
+    CategoryEvidence categories;  //!< beta of the Dirichlet over categories
+    uint32_t voxels = 0;          //!< number of voxels with alpha > 0 for it
+    uint32_t observations = 0;    //!< number of opinions integrated
+    uint32_t firstFrame = 0;      //!< number of the frame that first saw it, from 0
+    uint32_t lastFrame = 0;       //!< number of the frame that last saw it
+    std::set<int64_t> tracks;     //!< the detector's track ids, where it gives any
+    std::set<VoxelCoord> blocks;  //!< blocks where it has, or once had, evidence
+};
+}  // namespace voxeland

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/evidence/Dirichlet.h"
+#include "voxeland/evidence/OccupancyFilter.h"
+#include "voxeland/grid/BlockMap.h"
+#include "voxeland/map/Instance.h"
+#include "voxeland/map/MapBlock.h"
+
+#include <map>
+#include <vector>
+
+namespace mrpt::serialization
+{
+class CArchive;
+}
+
+namespace voxeland
+{
+/** Parameters of a map that do not change while it lives. */
+struct MapOptions
+{
+    double resolution = 0.05;            //!< voxel edge [m], > 0
+    OccupancyFilter::Options occupancy;  //!< of the binary Bayes filter
+    double prior_strength = 0;           //!< W: W/K is added to each of K known categories
+    EntropyMeasure entropy = EntropyMeasure::expected;  //!< the measure used by queries
+};
+
+/** The probabilistic, instance-aware semantic voxel map (paper, "Map Representation"): occupancy
+ * and a Dirichlet over instances per voxel, a Dirichlet over categories per instance. State only:
+ * how frames become evidence is the pipeline's business. Frame of reference: the world of the poses
+ *  it was built with; metres. Copyable. */
+class SemanticVoxelMap
+{
+ public:
+    /** Throws std::invalid_argument for options out of range. */
+    explicit SemanticVoxelMap(const MapOptions& options = MapOptions());
+
+    [[nodiscard]] const MapOptions& options() const { return m_options; }
+    [[nodiscard]] double resolution() const { return m_options.resolution; }
+    [[nodiscard]] const OccupancyFilter& occupancyFilter() const { return m_filter; }
+    [[nodiscard]] bool empty() const { return m_blocks.size() == 0; }
+    void clear();
+
+    /** \name Voxels @{ */
+    [[nodiscard]] const BlockMap<MapBlock>& blocks() const { return m_blocks; }
+    [[nodiscard]] BlockMap<MapBlock>& blocks() { return m_blocks; }
+
+    /** The voxel that holds a metric point. */
+    template <typename Point>
+    [[nodiscard]] VoxelCoord voxelOf(const Point& p) const
+    {
+        return voxeland::voxelOf(p, 1 / m_options.resolution);
+    }
+    /** Occupancy of a voxel; UNOBSERVED where nothing is known. */
+    [[nodiscard]] log_odds_t occupancy(const VoxelCoord& v) const;
+    /** Evidence of a voxel, or null where no point was ever measured. */
+    [[nodiscard]] const VoxelEvidence* evidence(const VoxelCoord& v) const;
+    /** Adds evidence for an instance (or UNKNOWN_INSTANCE) to a voxel. \param alpha > 0 */
+    void addEvidence(const VoxelCoord& v, instance_id_t instance, float alpha);
+
+    /** Calls f(VoxelCoord, occupancy, const VoxelEvidence&) for every surface voxel, ordered by
+     *  coordinates of block and cell.
+     *  \param occupiedOnly leave out voxels that are now more likely free than occupied */
+    template <typename F>
+    void forEachVoxel(F&& f, bool occupiedOnly = true) const
+    {
+        for (const uint32_t b : m_blocks.sorted()) {
+            const MapBlock& block = m_blocks[b];
+            block.forEachSurface([&](int cell, const VoxelEvidence& evidence) {
+                const log_odds_t o = block.occupancy(cell);
+                if (!occupiedOnly || OccupancyFilter::isOccupied(o))
+                    f(voxelAt(m_blocks.coordOf(b), cell), o, evidence);
+            });
+        }
+    }
+    /** @} */
+
+    /** \name Instances (*unknown* is not one of them) @{ */
+    [[nodiscard]] const std::map<instance_id_t, Instance>& instances() const { return m_instances; }
+    /** A live instance by its id; throws std::out_of_range if there is none. */
+    [[nodiscard]] Instance& instance(instance_id_t id) { return m_instances.at(id); }
+    [[nodiscard]] const Instance& instance(instance_id_t id) const { return m_instances.at(id); }
+    /** The live instance an id stands for now: itself, the survivor of merges, or UNKNOWN_INSTANCE
+     * if it was dropped or never existed. */
+    [[nodiscard]] instance_id_t resolve(instance_id_t id) const;
+
+    /** A new instance without evidence. Ids are never reused. */
+    Instance& createInstance();
+    /** Gives all of `absorbed`'s evidence to `survivor`; the absorbed id resolves to the survivor
+     *  from then on. Cost: the blocks of the absorbed instance. */
+    void merge(instance_id_t survivor, instance_id_t absorbed);
+    /** Makes a new instance of some voxels of an instance: their evidence for it moves, and the
+     *  share `categoryShare` in [0,1] of its category evidence.
+     *  \return the new instance */
+    Instance& split(instance_id_t from, const std::vector<VoxelCoord>& voxels,
+                    double categoryShare);
+    /** Gives all of an instance's evidence to *unknown* and forgets it. */
+    void drop(instance_id_t id);
+    /** @} */
+
+    /** \name Categories @{ */
+    [[nodiscard]] const CategoryTable& categories() const { return m_categories; }
+    [[nodiscard]] CategoryTable& categories() { return m_categories; }
+    /** @} */
+
+    /** Memory of the voxels. */
+    struct Memory
+    {
+        size_t bytes = 0;          //!< of all blocks, allocator overhead included
+        size_t evidenceBytes = 0;  //!< the part of it that surface voxels need on top of occupancy
+        size_t observedVoxels = 0, surfaceVoxels = 0;
+
+        /** Average of a voxel whose occupancy alone is known [bytes]. */
+        [[nodiscard]] double bytesPerFreeVoxel() const;
+        /** Average of a voxel with evidence for instances, its occupancy included [bytes]. */
+        [[nodiscard]] double bytesPerSurfaceVoxel() const;
+    };
+    [[nodiscard]] Memory memory() const;
+
+    /** The whole state, in an order that depends on the content alone. */
+    void writeTo(mrpt::serialization::CArchive& out) const;
+    /** Replaces this map by one written with writeTo(); throws std::exception on malformed input.
+     */
+    void readFrom(mrpt::serialization::CArchive& in);
+
+ private:
+    /** Moves an instance's evidence in one voxel. */
+    void moveEvidence(MapBlock& block, const VoxelCoord& blockCoord, int cell, instance_id_t from,
+                      instance_id_t to);
+
+    MapOptions m_options;
+    OccupancyFilter m_filter;
+    BlockMap<MapBlock> m_blocks;
+    std::map<instance_id_t, Instance> m_instances;
+    std::map<instance_id_t, instance_id_t> m_absorbed;  //!< id -> instance that took its evidence
+    instance_id_t m_nextInstance = 1;
+    CategoryTable m_categories;
+};
+}  // namespace voxeland

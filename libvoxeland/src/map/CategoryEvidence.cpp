@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/map/CategoryEvidence.h"
+
+#include "voxeland/evidence/JensenShannon.h"
+
+#include <algorithm>
+
+namespace voxeland
+{
+category_id_t CategoryTable::add(const std::string& name)
+{
+    const auto [at, isNew] = m_ids.emplace(name, static_cast<category_id_t>(m_names.size()));
+    if (isNew) m_names.push_back(name);
+    return at->second;
+}
+
+double CategoryEvidence::total() const
+{
+    double sum = 0;
+    for (const Entry& e : m_entries) sum += e.beta;
+    return sum;
+}
+
+double CategoryEvidence::betaOf(category_id_t category) const
+{
+    for (const Entry& e : m_entries)
+        if (e.category == category) return e.beta;
+    return 0;
+}
+
+void CategoryEvidence::add(category_id_t category, double beta)
+{
+    const auto at =
+        std::lower_bound(m_entries.begin(), m_entries.end(), category,
+                         [](const Entry& e, category_id_t id) { return e.category < id; });
+    const bool known = at != m_entries.end() && at->category == category;
+    if (!known) {
+        if (beta > 0) m_entries.insert(at, {category, beta});
+        return;
+    }
+    at->beta += beta;
+    if (!(at->beta > 0)) m_entries.erase(at);
+}
+
+void CategoryEvidence::add(const CategoryEvidence& other, double scale)
+{
+    for (const Entry& e : other.m_entries) add(e.category, scale * e.beta);
+}
+
+double semanticSimilarity(const CategoryEvidence& a, const CategoryEvidence& b)
+{
+    if (a.empty() || b.empty()) return 0;
+    std::vector<double> p, q;
+    const double totalA = a.total(), totalB = b.total();
+    auto i = a.entries().begin(), j = b.entries().begin();
+    while (i != a.entries().end() || j != b.entries().end()) {
+        const bool takeA =
+            j == b.entries().end() || (i != a.entries().end() && i->category <= j->category);
+        const bool takeB =
+            i == a.entries().end() || (j != b.entries().end() && j->category <= i->category);
+        p.push_back(takeA ? (i++)->beta / totalA : 0);
+        q.push_back(takeB ? (j++)->beta / totalB : 0);
+    }
+    return 1 - jensenShannonDivergence(p, q);
+}
+}  // namespace voxeland

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/map/SemanticVoxelMap.h"
+
+#include <mrpt/serialization/CArchive.h>
+#include <mrpt/serialization/stl_serialization.h>
+
+#include <stdexcept>
+
+using mrpt::serialization::CArchive;
+
+namespace voxeland
+{
+namespace
+{
+constexpr uint8_t VERSION = 0;
+
+void write(CArchive& out, const VoxelCoord& c)
+{
+    out << c.x << c.y << c.z;
+}
+
+VoxelCoord readCoord(CArchive& in)
+{
+    VoxelCoord c;
+    in >> c.x >> c.y >> c.z;
+    return c;
+}
+
+void write(CArchive& out, const MapOptions& o)
+{
+    out << o.resolution << o.occupancy.prob_hit << o.occupancy.prob_miss << o.occupancy.prob_min
+        << o.occupancy.prob_max << o.prior_strength << toString(o.entropy);
+}
+
+MapOptions readOptions(CArchive& in)
+{
+    MapOptions o;
+    std::string entropy;
+    in >> o.resolution >> o.occupancy.prob_hit >> o.occupancy.prob_miss >> o.occupancy.prob_min >>
+        o.occupancy.prob_max >> o.prior_strength >> entropy;
+    o.entropy = entropyMeasureFromString(entropy);
+    return o;
+}
+
+void write(CArchive& out, const Instance& i)
+{
+    out << i.id << i.observations << i.firstFrame << i.lastFrame << i.tracks;
+    out << static_cast<uint32_t>(i.categories.entries().size());
+    for (const auto& e : i.categories.entries()) out << e.category << e.beta;
+    out << static_cast<uint32_t>(i.blocks.size());
+    for (const auto& b : i.blocks) write(out, b);
+}
+
+Instance readInstance(CArchive& in)
+{
+    Instance i;
+    in >> i.id >> i.observations >> i.firstFrame >> i.lastFrame >> i.tracks;
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
+        const auto category = in.ReadAs<category_id_t>();
+        i.categories.add(category, in.ReadAs<double>());
+    }
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) i.blocks.insert(readCoord(in));
+    return i;
+}
+
+void write(CArchive& out, const VoxelCoord& coord, const MapBlock& block)
+{
+    write(out, coord);
+    for (int cell = 0; cell < BLOCK_CELLS; ++cell) out << block.occupancy(cell);
+    out << static_cast<uint32_t>(block.surface().count());
+    block.forEachSurface([&](int cell, const VoxelEvidence& evidence) {
+        out << static_cast<uint16_t>(cell) << evidence.size();
+        for (const auto& e : evidence) out << e.instance << e.alpha;
+    });
+}
+}  // namespace
+
+void SemanticVoxelMap::writeTo(CArchive& out) const
+{
+    out << VERSION;
+    write(out, m_options);
+    out << m_categories.names() << m_nextInstance << m_absorbed;
+    out << static_cast<uint32_t>(m_instances.size());
+    for (const auto& [id, instance] : m_instances) write(out, instance);
+    out << static_cast<uint32_t>(m_blocks.size());
+    for (const uint32_t b : m_blocks.sorted()) write(out, m_blocks.coordOf(b), m_blocks[b]);
+}
+
+void SemanticVoxelMap::readFrom(CArchive& in)
+{
+    const auto version = in.ReadAs<uint8_t>();
+    if (version != VERSION)
+        throw std::runtime_error("map format version " + std::to_string(version) +
+                                 " is not known: it was written by a newer Voxeland");
+    SemanticVoxelMap read(readOptions(in));
+    std::vector<std::string> names;
+    in >> names >> read.m_nextInstance >> read.m_absorbed;
+    for (const auto& name : names) read.m_categories.add(name);
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
+        Instance i = readInstance(in);
+        read.m_instances.emplace(i.id, std::move(i));
+    }
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
+        const VoxelCoord coord = readCoord(in);
+        MapBlock& block = read.m_blocks.at(coord);
+        for (int cell = 0; cell < BLOCK_CELLS; ++cell)
+            block.setOccupancy(cell, in.ReadAs<log_odds_t>());
+        for (auto surface = in.ReadAs<uint32_t>(); surface > 0; --surface) {
+            const auto cell = in.ReadAs<uint16_t>();
+            if (cell >= BLOCK_CELLS)
+                throw std::runtime_error("corrupt map: no such voxel in a block");
+            for (auto entries = in.ReadAs<uint32_t>(); entries > 0; --entries) {
+                const auto instance = in.ReadAs<instance_id_t>();
+                const auto alpha = in.ReadAs<float>();
+                if (instance != UNKNOWN_INSTANCE && read.m_instances.count(instance) == 0)
+                    throw std::runtime_error("corrupt map: evidence for an instance it lacks");
+                read.addEvidence(voxelAt(coord, cell), instance, alpha);
+            }
+        }
+    }
+    *this = std::move(read);
+}
+}  // namespace voxeland

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/map/SemanticVoxelMap.h"
+
+#include <stdexcept>
+
+namespace voxeland
+{
+SemanticVoxelMap::SemanticVoxelMap(const MapOptions& options)
+    : m_options(options), m_filter(options.occupancy)
+{
+    if (!(options.resolution > 0)) throw std::invalid_argument("map resolution must be positive");
+    if (!(options.prior_strength >= 0))
+        throw std::invalid_argument("prior_strength must not be negative");
+}
+
+void SemanticVoxelMap::clear()
+{
+    *this = SemanticVoxelMap(m_options);
+}
+
+log_odds_t SemanticVoxelMap::occupancy(const VoxelCoord& v) const
+{
+    const MapBlock* block = m_blocks.find(blockOf(v));
+    return block == nullptr ? UNOBSERVED : block->occupancy(cellOf(v));
+}
+
+const VoxelEvidence* SemanticVoxelMap::evidence(const VoxelCoord& v) const
+{
+    const MapBlock* block = m_blocks.find(blockOf(v));
+    return block == nullptr ? nullptr : block->evidence(cellOf(v));
+}
+
+void SemanticVoxelMap::addEvidence(const VoxelCoord& v, instance_id_t instance, float alpha)
+{
+    const VoxelCoord block = blockOf(v);
+    const bool isNew = m_blocks.at(block).evidenceAt(cellOf(v)).add(instance, alpha);
+    if (!isNew || instance == UNKNOWN_INSTANCE) return;
+    Instance& i = m_instances.at(instance);
+    ++i.voxels;
+    i.blocks.insert(block);
+}
+
+instance_id_t SemanticVoxelMap::resolve(instance_id_t id) const
+{
+    while (m_instances.count(id) == 0) {
+        const auto at = m_absorbed.find(id);
+        if (at == m_absorbed.end()) return UNKNOWN_INSTANCE;
+        id = at->second;
+    }
+    return id;
+}
+
+Instance& SemanticVoxelMap::createInstance()
+{
+    Instance& i = m_instances[m_nextInstance];
+    i.id = m_nextInstance++;
+    return i;
+}
+
+void SemanticVoxelMap::moveEvidence(MapBlock& block, const VoxelCoord& blockCoord, int cell,
+                                    instance_id_t from, instance_id_t to)
+{
+    VoxelEvidence* evidence = block.evidence(cell);
+    const float alpha = evidence == nullptr ? 0 : evidence->remove(from);
+    if (!(alpha > 0)) return;
+    const bool isNew = evidence->add(to, alpha);
+    --m_instances.at(from).voxels;
+    if (!isNew || to == UNKNOWN_INSTANCE) return;
+    Instance& receiver = m_instances.at(to);
+    ++receiver.voxels;
+    receiver.blocks.insert(blockCoord);
+}
+
+void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed)
+{
+    if (survivor == absorbed) throw std::invalid_argument("an instance cannot absorb itself");
+    Instance& from = m_instances.at(absorbed);
+    for (const VoxelCoord& b : from.blocks) {
+        MapBlock& block = *m_blocks.find(b);
+        block.surface().forEach(
+            [&](int cell) { moveEvidence(block, b, cell, absorbed, survivor); });
+    }
+    if (survivor != UNKNOWN_INSTANCE) {
+        Instance& to = m_instances.at(survivor);
+        to.categories.add(from.categories);
+        to.observations += from.observations;
+        to.firstFrame = std::min(to.firstFrame, from.firstFrame);
+        to.lastFrame = std::max(to.lastFrame, from.lastFrame);
+        to.tracks.insert(from.tracks.begin(), from.tracks.end());
+    }
+    m_instances.erase(absorbed);
+    m_absorbed[absorbed] = survivor;
+}
+
+Instance& SemanticVoxelMap::split(instance_id_t from, const std::vector<VoxelCoord>& voxels,
+                                  double categoryShare)
+{
+    Instance& part = createInstance();
+    Instance& whole = m_instances.at(from);
+    for (const VoxelCoord& v : voxels) {
+        const VoxelCoord block = blockOf(v);
+        moveEvidence(*m_blocks.find(block), block, cellOf(v), from, part.id);
+    }
+    part.categories.add(whole.categories, categoryShare);
+    whole.categories.add(part.categories, -1);
+    part.observations = whole.observations;
+    part.firstFrame = whole.firstFrame;
+    part.lastFrame = whole.lastFrame;
+    return part;
+}
+
+void SemanticVoxelMap::drop(instance_id_t id)
+{
+    merge(UNKNOWN_INSTANCE, id);
+}
+
+double SemanticVoxelMap::Memory::bytesPerFreeVoxel() const
+{
+    return observedVoxels == 0
+               ? 0
+               : static_cast<double>(bytes - evidenceBytes) / static_cast<double>(observedVoxels);
+}
+
+double SemanticVoxelMap::Memory::bytesPerSurfaceVoxel() const
+{
+    return surfaceVoxels == 0 ? 0
+                              : bytesPerFreeVoxel() + static_cast<double>(evidenceBytes) /
+                                                          static_cast<double>(surfaceVoxels);
+}
+
+SemanticVoxelMap::Memory SemanticVoxelMap::memory() const
+{
+    Memory m;
+    for (size_t b = 0; b < m_blocks.size(); ++b) {
+        m.evidenceBytes += m_blocks[b].heapMemory();
+        m.observedVoxels += static_cast<size_t>(m_blocks[b].observedCells());
+        m.surfaceVoxels += static_cast<size_t>(m_blocks[b].surface().count());
+    }
+    m.bytes = m_blocks.memory() + m.evidenceBytes;
+    return m;
+}
+}  // namespace voxeland
