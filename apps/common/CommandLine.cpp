@@ -35,11 +35,9 @@ class HelpOutput : public TCLAP::StdOutput
     {
         std::cout << c.getProgramName() << " " << c.getVersion() << "\n";
     }
-    void failure(TCLAP::CmdLineInterface& c, TCLAP::ArgException& e) override
+    void failure(TCLAP::CmdLineInterface&, TCLAP::ArgException& e) override
     {
-        std::cerr << c.getProgramName() << ": " << e.argId() << ": " << e.error()
-                  << ". See --help.\n";
-        throw TCLAP::ExitException(1);
+        throw ConfigurationError(e.argId() + ": " + e.error() + " (see --help)");
     }
 };
 
@@ -70,10 +68,11 @@ CommandLine::CommandLine(const std::string& description)
     m_parser.add(m_verbosity);
 }
 
-void CommandLine::parse(int argc, char** argv)
+bool CommandLine::parse(int argc, char** argv)
 {
-    m_parser.parse(argc, argv);
-    verbosity();
+    if (!m_parser.parse(argc, argv)) return false;
+    static_cast<void>(verbosity());  // complain about it now
+    return true;
 }
 
 VerbosityLevel CommandLine::verbosity() const

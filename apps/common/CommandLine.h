@@ -18,9 +18,9 @@ class CommandLine
     explicit CommandLine(const std::string& description);
 
     [[nodiscard]] TCLAP::CmdLine& parser() { return m_parser; }
-    /** Parses; ends the program with exit code 1 on wrong usage, 0 after --help and --version.
-     *  \throws ConfigurationError for an unknown verbosity */
-    void parse(int argc, char** argv);
+    /** \return false if --help or --version was asked for and printed: end with exit code 0
+     *  \throws ConfigurationError for wrong usage */
+    [[nodiscard]] bool parse(int argc, char** argv);
     /** Least severe message to show. */
     [[nodiscard]] mrpt::system::VerbosityLevel verbosity() const;
     [[nodiscard]] bool quiet() const { return m_quiet.isSet(); }
