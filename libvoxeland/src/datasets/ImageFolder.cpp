@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFolder.h"
 
-#include "voxeland/io/FileErrors.h"
+#include "voxeland/errors.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -20,11 +20,9 @@ namespace voxeland
 {
 namespace
 {
-constexpr int JPEG_QUALITY = 95;
-
 [[noreturn]] void cannotWrite(const fs::path& file)
 {
-    throw UnwritableOutput("cannot write " + file.string() + ": " + std::strerror(errno) + ".");
+    throw OutputError("cannot write " + file.string() + ": " + std::strerror(errno));
 }
 
 void writeJpeg(const cv::Mat& image, const fs::path& file)
@@ -57,8 +55,7 @@ ImageFolder::ImageFolder(fs::path folder) : m_folder(std::move(folder))
     std::error_code error;
     fs::create_directory(m_folder, error);
     if (error)
-        throw UnwritableOutput("cannot create the folder " + m_folder.string() + ": " +
-                               error.message() + ".");
+        throw OutputError("cannot create the folder " + m_folder.string() + ": " + error.message());
 }
 
 void ImageFolder::moveImagesOf(mrpt::obs::CObservation3DRangeScan& scan)
@@ -85,8 +82,8 @@ void ImageFolder::moveColour(mrpt::obs::CObservation3DRangeScan& scan,
         std::error_code error;
         fs::copy_file(source, target, fs::copy_options::overwrite_existing, error);
         if (error)
-            throw UnwritableOutput("cannot copy " + source.string() + " to " + target.string() +
-                                   ": " + error.message() + ".");
+            throw OutputError("cannot copy " + source.string() + " to " + target.string() + ": " +
+                              error.message());
     }
     image = mrpt::img::CImage();
     image.setExternalStorage(target.filename().string());

@@ -2,7 +2,7 @@
 #include "voxeland/datasets/RgbdRawlogWriter.h"
 
 #include "ImageFolder.h"
-#include "voxeland/io/FileErrors.h"
+#include "voxeland/errors.h"
 #include "voxeland/io/GzOutputFile.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -19,7 +19,6 @@ namespace voxeland
 namespace
 {
 constexpr auto EXTENSION = ".rawlog";
-constexpr int JPEG_QUALITY = 95;
 
 /** Has MRPT store images as JPEG while it lives; MRPT's settings are of the whole process. */
 class JpegScope
@@ -62,8 +61,7 @@ std::string stemOf(const std::string& file)
 {
     const fs::path path(file);
     if (path.extension() != EXTENSION || path.stem().empty())
-        throw std::invalid_argument("the name of the rawlog " + file + " must end in " + EXTENSION +
-                                    ".");
+        throw ConfigurationError("the name of the rawlog " + file + " must end in " + EXTENSION);
     return (path.parent_path() / path.stem()).string();
 }
 }  // namespace
@@ -77,9 +75,9 @@ struct RgbdRawlogWriter::Implementation
           images{stemOf(file) + "_Images"}
     {
         if (!fs::exists(rawlog.target) && fs::exists(images.target))
-            throw UnwritableOutput("the folder " + images.target.string() +
-                                   " is in the way of the images of " + file +
-                                   ": remove it or choose another name.");
+            throw OutputError("the folder " + images.target.string() +
+                              " is in the way of the images of " + file +
+                              ": remove it or choose another name");
         discard();  // leftovers of a run that died
     }
 
@@ -127,8 +125,10 @@ void RgbdRawlogWriter::write(const RgbdRecord& record)
         m->rawlogFile->writeObject(scan);
     } else {
         const JpegScope jpeg;
-        // A deep copy forgets the file an image came from: its pixels are written, not its name.
-        scan.intensityImage = mrpt::img::CImage(scan.intensityImage, mrpt::img::DEEP_COPY);
+        // A new image of the same pixels: one that came from a file would store its name instead.
+        if (scan.intensityImage.isExternallyStored())
+            scan.intensityImage =
+                mrpt::img::CImage(scan.intensityImage.asCvMatRef(), mrpt::img::SHALLOW_COPY);
         m->rawlogFile->writeObject(scan);
     }
     if (!record.instances) return;
@@ -153,8 +153,8 @@ void RgbdRawlogWriter::close()
         if (m->sidecarFile) m->sidecar.putInPlace();
         m->rawlog.putInPlace();
     } catch (const fs::filesystem_error& e) {
-        throw UnwritableOutput("cannot replace " + m->rawlog.target.string() + ": " +
-                               e.code().message() + ".");
+        throw OutputError("cannot replace " + m->rawlog.target.string() + ": " +
+                          e.code().message());
     }
     m->closed = true;
 }

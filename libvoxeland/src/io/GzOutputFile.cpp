@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/GzOutputFile.h"
 
-#include "voxeland/io/FileErrors.h"
+#include "voxeland/errors.h"
 
 #include <mrpt/serialization/CArchive.h>
 
@@ -15,8 +15,7 @@ namespace voxeland
 GzOutputFile::GzOutputFile(const std::string& file, int compressionLevel)
     : m_name(file), m_file(gzopen(file.c_str(), ("wb" + std::to_string(compressionLevel)).c_str()))
 {
-    if (!m_file)
-        throw UnwritableOutput("cannot create " + file + ": " + std::strerror(errno) + ".");
+    if (!m_file) throw OutputError("cannot create " + file + ": " + std::strerror(errno));
 }
 
 GzOutputFile::~GzOutputFile()
@@ -44,7 +43,7 @@ void GzOutputFile::writeObject(const mrpt::serialization::CSerializable& object)
     try {
         mrpt::serialization::archiveFrom(*this) << object;
     } catch (const std::exception&) {
-        if (!m_failure.empty()) throw UnwritableOutput(m_failure);
+        if (!m_failure.empty()) throw OutputError(m_failure);
         throw;
     }
 }
@@ -60,8 +59,8 @@ void GzOutputFile::close()
 
 void GzOutputFile::fail()
 {
-    m_failure = "cannot write " + m_name + ": " + std::strerror(errno) + ".";
-    throw UnwritableOutput(m_failure);
+    m_failure = "cannot write " + m_name + ": " + std::strerror(errno);
+    throw OutputError(m_failure);
 }
 
 size_t GzOutputFile::Read(void*, size_t)

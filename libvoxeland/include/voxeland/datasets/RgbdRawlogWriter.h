@@ -39,17 +39,19 @@ class RgbdRawlogWriter
     };
 
     /** \param file target, ending in .rawlog
-     *  \throws std::runtime_error if it cannot be written */
+     *  \throws OutputError if it cannot be written, ConfigurationError for another ending */
     RgbdRawlogWriter(const std::string& file, const Options& options);
     /** Removes what was written unless close() was called. */
     ~RgbdRawlogWriter();
     RgbdRawlogWriter(const RgbdRawlogWriter&) = delete;
     RgbdRawlogWriter& operator=(const RgbdRawlogWriter&) = delete;
 
-    /** Appends a frame. The record's scan may be changed (its images are moved to files).
-     *  \throws std::runtime_error if it cannot be written */
+    /** Appends a frame. The record's scan is changed: its images are moved to files. Colour is
+     *  stored as JPEG of quality 95, but an image that is a file already (isExternallyStored()) is
+     *  copied as it is. \throws OutputError if it cannot be written */
     void write(const RgbdRecord& record);
-    /** Completes the files and puts them in place. */
+    /** Completes the files and puts them in place of an earlier rawlog of that name with all that
+     *  belongs to it. \throws OutputError if that is not possible */
     void close();
 
  private:

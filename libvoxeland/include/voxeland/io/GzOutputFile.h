@@ -19,18 +19,18 @@ class GzOutputFile : public mrpt::io::CStream
 {
  public:
     /** \param compressionLevel 0 (none) to 9; 1, MRPT's default, is the fastest
-     *  \throws UnwritableOutput if the file cannot be created */
+     *  \throws OutputError if the file cannot be created */
     explicit GzOutputFile(const std::string& file, int compressionLevel = 1);
     /** Closes without a check: call close() to know. */
     ~GzOutputFile() override;
     GzOutputFile(const GzOutputFile&) = delete;
     GzOutputFile& operator=(const GzOutputFile&) = delete;
 
-    /** \throws UnwritableOutput if not all could be written */
+    /** \throws OutputError if not all could be written */
     size_t Write(const void* data, size_t bytes) override;
-    /** Appends an MRPT object. \throws UnwritableOutput if not all could be written */
+    /** Appends an MRPT object. \throws OutputError if not all could be written */
     void writeObject(const mrpt::serialization::CSerializable& object);
-    /** Writes what is still buffered; \throws UnwritableOutput if that fails */
+    /** Writes what is still buffered; \throws OutputError if that fails */
     void close();
 
     /** Uncompressed bytes written so far. */

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <mrpt/io/CStream.h>
+#include <mrpt/serialization/CSerializable.h>
+
+#include <string>
+
+struct gzFile_s;
+
+namespace voxeland
+{
+/** A file of MRPT objects, gzip or not, such as a rawlog. Unlike MRPT's own reading loops it tells
+ *  the end of the file from a file that is cut off or damaged. */
+class GzInputFile : public mrpt::io::CStream
+{
+ public:
+    /** \throws InputError if the file cannot be opened */
+    explicit GzInputFile(const std::string& file);
+    ~GzInputFile() override;
+    GzInputFile(const GzInputFile&) = delete;
+    GzInputFile& operator=(const GzInputFile&) = delete;
+
+    /** Next object, or null at the end of the file.
+     *  \throws InputError if the file is cut off, damaged, or holds an object of unknown class */
+    mrpt::serialization::CSerializable::Ptr readObject();
+    /** The object last read as it is in the file (uncompressed). */
+    [[nodiscard]] const std::string& objectBytes() const { return m_objectBytes; }
+
+    /** How much of the file has been read, in [0,1]. */
+    [[nodiscard]] double progress() const;
+
+    /** \return bytes read: fewer than asked for only at the end of the file
+     *  \throws InputError if the file is cut off or damaged */
+    size_t Read(void* data, size_t bytes) override;
+    /** Uncompressed bytes read so far. */
+    [[nodiscard]] uint64_t getPosition() const override { return m_position; }
+
+    /** \name Not for input files: writing and seeking throw std::logic_error
+     * @{ */
+    size_t Write(const void*, size_t) override;
+    uint64_t Seek(int64_t, TSeekOrigin) override;
+    /** Size of the file on disk. */
+    [[nodiscard]] uint64_t getTotalBytesCount() const override { return m_fileSize; }
+    /** @} */
+
+ private:
+    std::string m_name;
+    std::string m_objectBytes;
+    gzFile_s* m_file = nullptr;
+    uint64_t m_position = 0, m_fileSize = 0;
+};
+}  // namespace voxeland

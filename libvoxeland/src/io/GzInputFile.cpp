@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/io/GzInputFile.h"
+
+#include "voxeland/errors.h"
+
+#include <mrpt/serialization/CArchive.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <zlib.h>
+
+namespace fs = std::filesystem;
+
+namespace voxeland
+{
+GzInputFile::GzInputFile(const std::string& file) : m_name(file)
+{
+    std::error_code error;
+    if (fs::is_directory(file, error)) throw InputError(file + " is a folder, not a file");
+    m_file = gzopen(file.c_str(), "rb");
+    if (!m_file) throw InputError("cannot open " + file + ": " + std::strerror(errno));
+    m_fileSize = fs::file_size(file, error);
+    if (error) m_fileSize = 0;
+}
+
+GzInputFile::~GzInputFile()
+{
+    gzclose(m_file);
+}
+
+mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
+{
+    m_objectBytes.clear();
+    const std::string where = m_name + " after " + std::to_string(m_position) + " bytes";
+    try {
+        return mrpt::serialization::archiveFrom(*this).ReadObject();
+    } catch (const std::exception& e) {
+        if (m_objectBytes.empty() && gzeof(m_file)) {
+            int state = Z_OK;
+            gzerror(m_file, &state);
+            if (state == Z_OK) return nullptr;
+        }
+        if (gzeof(m_file)) throw InputError(where + ": the file is cut off or damaged");
+        const std::string why = e.what();
+        const bool unknown = why.find("not registered") != std::string::npos;
+        throw InputError(where + (unknown ? ": an object of a class that is not known here"
+                                          : ": the file is damaged or not of MRPT objects"));
+    }
+}
+
+double GzInputFile::progress() const
+{
+    return m_fileSize == 0
+               ? 0
+               : static_cast<double>(gzoffset(m_file)) / static_cast<double>(m_fileSize);
+}
+
+size_t GzInputFile::Read(void* data, size_t bytes)
+{
+    constexpr size_t MOST_AT_ONCE = size_t{1} << 30;  // zlib counts in int
+    auto* at = static_cast<char*>(data);
+    size_t left = bytes;
+    while (left > 0) {
+        const auto n = static_cast<unsigned>(std::min(left, MOST_AT_ONCE));
+        const int got = gzread(m_file, at, n);
+        if (got < 0) throw InputError(m_name + ": the file is cut off or damaged");
+        m_objectBytes.append(at, static_cast<size_t>(got));
+        at += got;
+        left -= static_cast<size_t>(got);
+        if (static_cast<unsigned>(got) < n) break;
+    }
+    m_position += bytes - left;
+    return bytes - left;
+}
+
+size_t GzInputFile::Write(const void*, size_t)
+{
+    throw std::logic_error("an input file cannot be written");
+}
+
+uint64_t GzInputFile::Seek(int64_t, TSeekOrigin)
+{
+    throw std::logic_error("a gzip file cannot be read out of order");
+}
+}  // namespace voxeland
