@@ -35,6 +35,11 @@ class CoordHash
     }
 
     [[nodiscard]] size_t size() const { return m_size; }
+    /** Makes room for `n` coordinates at once. */
+    void reserve(size_t n)
+    {
+        while (2 * n > m_slots.size()) grow();
+    }
     void clear()
     {
         m_slots.clear();

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/grid/VoxelCoord.h"
+#include "voxeland/observations/RgbdFrame.h"
+
+#include <mrpt/math/TPoint3D.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace voxeland
+{
+/** A voxel in which a frame measured points. */
+struct HitVoxel
+{
+    VoxelCoord coord;
+    uint32_t points = 0;            //!< number of depth pixels in it
+    mrpt::math::TPoint3D centroid;  //!< mean of those points, in the map's frame [m]
+};
+
+/** Which depths to use. */
+struct DepthLimits
+{
+    double min_depth = 0.3;  //!< nearest depth used, along the optical axis [m]
+    double max_depth = 4.0;  //!< farthest depth used [m]
+};
+
+/** The pixels of a depth image grouped by the voxel their 3D points fall in: everything after works
+ * per voxel (some thousands), not per pixel (some hundred thousands). Depends on the frame alone,
+ * not on any map. */
+class VoxelizedFrame
+{
+ public:
+    static constexpr int32_t NO_HIT = -1;
+
+    /** Unprojects (with lens distortion), transforms and groups a frame's depth pixels.
+     *  \param resolution voxel edge [m]
+     *  \throws InputError, naming the frame, for scans without a depth image or with invalid
+     *  calibration or units, and for predictions made for images of another size */
+    VoxelizedFrame(const RgbdFrame& frame, double resolution, const DepthLimits& limits);
+
+    [[nodiscard]] double resolution() const { return m_resolution; }
+    /** Optical centre of the depth camera in the map's frame [m]. */
+    [[nodiscard]] const mrpt::math::TPoint3D& origin() const { return m_origin; }
+    /** Focal length of the depth camera [pixels]. */
+    [[nodiscard]] double focalLength() const { return m_focalLength; }
+    /** The voxels hit, in row-major order of their first pixel. */
+    [[nodiscard]] const std::vector<HitVoxel>& hits() const { return m_hits; }
+
+    /** How many depth pixels of a mask (of the colour image) fall in each hit voxel.
+     *  \return pairs of the hit's number and that count, in order of first pixel */
+    [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> pointsOf(
+        const RunLengthMask& mask) const;
+
+ private:
+    void groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
+                     const mrpt::poses::CPose3D& sensorPose, const DepthLimits& limits);
+    void projectIntoColour(const mrpt::obs::CObservation3DRangeScan& scan);
+
+    double m_resolution;
+    double m_focalLength = 0;
+    mrpt::math::TPoint3D m_origin;
+    std::vector<HitVoxel> m_hits;
+    std::vector<int32_t> m_hitOfPixel;     //!< depth pixel -> hit number or NO_HIT
+    std::vector<int32_t> m_colourOfPixel;  //!< depth pixel -> colour pixel or -1; empty: the same
+};
+}  // namespace voxeland

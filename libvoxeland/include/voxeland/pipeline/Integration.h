@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/pipeline/MapperConfig.h"
+#include "voxeland/pipeline/PreparedFrame.h"
+
+#include <vector>
+
+namespace voxeland
+{
+/** Occupancy by the binary Bayes filter: each voxel the frame saw is updated once, as hit or as
+ * free. */
+void integrateOccupancy(const ObservedSpace& space, SemanticVoxelMap& map);
+
+/** Which instance each opinion is about, new instances having been created. */
+std::vector<instance_id_t> resolveAssignments(const std::vector<Assignment>& assignments,
+                                              SemanticVoxelMap& map);
+
+/** Geometric integration (paper, "Continuous Map Integration"): alpha_k of a voxel grows by the
+ * number of 3D points that the opinions about instance k have in it. Where opinions claim the same
+ * points, each gets its share, weighted by confidence. Points that nobody claims are evidence for
+ * *unknown*. \param instances that of each opinion, in the same order */
+void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id_t>& instances,
+                       double unknownWeight, SemanticVoxelMap& map);
+
+/** Semantic integration: beta_l of an instance grows by confidence times the opinion's probability
+ * of l. \param frameNumber that of the frame, remembered as last seen */
+void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
+                        const std::vector<instance_id_t>& instances, uint32_t frameNumber,
+                        SemanticVoxelMap& map);
+}  // namespace voxeland

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/map/SemanticVoxelMap.h"
+#include "voxeland/observations/VoxelizedFrame.h"
+#include "voxeland/plugins/CAssociationPolicy.h"
+#include "voxeland/plugins/COpinionConverter.h"
+#include "voxeland/plugins/Ini.h"
+
+#include <memory>
+#include <string>
+
+namespace voxeland
+{
+/** Section [voxeland]: what is read from a rawlog, and how fast. */
+struct InputOptions
+{
+    std::string depth_sensor_label;  //!< sensorLabel of the RGB-D camera; empty: the first one met
+    std::string instances_sensor_label;  //!< sensorLabel of the predictions; empty: any
+    std::string pose_source =
+        "robot_pose";              //!< robot_pose | odometry | actions | simplemap | tum:<file>
+    double max_pose_gap = 0.25;    //!< longest time to interpolate poses over [s]
+    uint32_t prediction_wait = 5;  //!< newer frames to wait for a frame's predictions or pose
+    DepthLimits depth;
+    uint32_t threads = 0;  //!< threads that read and prepare frames; 0: one a core
+};
+
+/** How opinions become evidence; part of section [map]. */
+struct IntegrationOptions
+{
+    double unknown_weight = 0.2;  //!< evidence for *unknown* of a pixel that no opinion claims
+    double visibility_margin =
+        0.1;  //!< a voxel this far behind a measured surface counts as seen [m]
+};
+
+/** Section [refinement]: what is done every some frames to mend over- and under-segmentation. */
+struct RefinementOptions
+{
+    uint32_t every = 30;  //!< frames between two refinements; 0: never
+};
+
+/** Everything an INI says about mapping, checked, with the plugins it names. Copies share the
+ * plugins, which do not change once configured. */
+class MapperConfig
+{
+ public:
+    /** \throws ConfigurationError with all problems of all sections in one message, PluginError if
+     * a plugin cannot be used */
+    explicit MapperConfig(const Ini& ini = Ini());
+
+    InputOptions input;
+    MapOptions map;
+    IntegrationOptions integration;
+    RefinementOptions refinement;
+    std::shared_ptr<const COpinionConverter> converter;
+    std::shared_ptr<const CAssociationPolicy> association;
+
+    /** All sections with all keys, effective values and comments: an INI that reads back as this.
+     */
+    [[nodiscard]] const std::string& text() const { return m_text; }
+    /** text() without what cannot change the resulting map (threads): stored with the map. */
+    [[nodiscard]] const std::string& reproducibleText() const { return m_reproducibleText; }
+
+ private:
+    std::string m_text, m_reproducibleText;
+};
+}  // namespace voxeland

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/pipeline/InstanceCounter.h"
+#include "voxeland/pipeline/PreparedFrame.h"
+#include "voxeland/plugins/Overlap.h"
+
+#include <vector>
+
+namespace voxeland
+{
+class SemanticVoxelMap;
+
+/** Measures how a frame's opinions overlap with a map's instances (paper, "Data Association").
+ * Cost: the surface voxels the frame sees, whatever the size of the map. */
+class OverlapFinder
+{
+ public:
+    /** One entry per opinion, in the same order; the frame must outlive them. New category names
+     * are added to the map's table. */
+    std::vector<OpinionOverlaps> find(const PreparedFrame& frame, SemanticVoxelMap& map);
+
+ private:
+    void countVisible(const ObservedSpace& space, const SemanticVoxelMap& map);
+
+    InstanceCounter m_visible, m_common;
+};
+}  // namespace voxeland

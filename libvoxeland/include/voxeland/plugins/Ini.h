@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <mrpt/config/CConfigFileMemory.h>
+
+#include <string>
+#include <vector>
+
+namespace voxeland
+{
+/** An INI that was read and parsed, with MRPT's syntax (variables, expressions, `\` line ends);
+ * unlike MRPT it never is silent about a file that is missing. */
+class Ini
+{
+ public:
+    /** Empty: all defaults. */
+    Ini() = default;
+    /** \throws ConfigurationError, naming the file, if it is missing or not an INI */
+    static Ini fromFile(const std::string& file);
+    /** \param origin what to call it in messages \throws ConfigurationError if it is not an INI */
+    static Ini fromText(const std::string& text, const std::string& origin);
+    /** The sections called `<prefix>_<name>` of another program's INI, without the prefix. */
+    static Ini fromPrefixedSections(const mrpt::config::CConfigFileBase& source,
+                                    const std::string& prefix);
+
+    /** Applies `section.key=value`, as given on a command line.
+     *  \throws ConfigurationError if the text has another form */
+    void set(const std::string& assignment);
+
+    /** What to call this INI in messages. */
+    [[nodiscard]] const std::string& origin() const { return m_origin; }
+    /** Folder of the file, absolute; empty if it did not come from one. */
+    [[nodiscard]] const std::string& folder() const { return m_folder; }
+    [[nodiscard]] std::vector<std::string> sections() const;
+    [[nodiscard]] std::vector<std::string> keys(const std::string& section) const;
+    /** Value of a key that is there. */
+    [[nodiscard]] std::string value(const std::string& section, const std::string& key) const;
+
+ private:
+    mrpt::config::CConfigFileMemory m_content;
+    std::string m_origin = "the defaults", m_folder;
+};
+}  // namespace voxeland

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/pipeline/Integration.h"
+
+#include <algorithm>
+#include <map>
+
+namespace voxeland
+{
+void integrateOccupancy(const ObservedSpace& space, SemanticVoxelMap& map)
+{
+    const OccupancyFilter& filter = map.occupancyFilter();
+    for (size_t b = 0; b < space.size(); ++b) {
+        const ObservedBlock& seen = space[b];
+        if (!seen.hit.any() && !seen.passed.any()) continue;
+        MapBlock& block = map.blocks().at(space.coordOf(b));
+        seen.hit.forEach(
+            [&](int cell) { block.setOccupancy(cell, filter.afterHit(block.occupancy(cell))); });
+        seen.passed.forEach(
+            [&](int cell) { block.setOccupancy(cell, filter.afterMiss(block.occupancy(cell))); });
+    }
+}
+
+std::vector<instance_id_t> resolveAssignments(const std::vector<Assignment>& assignments,
+                                              SemanticVoxelMap& map)
+{
+    std::map<uint32_t, instance_id_t> created;
+    std::vector<instance_id_t> instances;
+    for (const Assignment& a : assignments) {
+        instance_id_t id = a.instance;
+        if (id == UNKNOWN_INSTANCE) {
+            const auto [at, isNew] = created.try_emplace(a.newInstance, UNKNOWN_INSTANCE);
+            if (isNew) at->second = map.createInstance().id;
+            id = at->second;
+        }
+        instances.push_back(id);
+    }
+    return instances;
+}
+
+void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id_t>& instances,
+                       double unknownWeight, SemanticVoxelMap& map)
+{
+    const std::vector<HitVoxel>& hits = frame.voxels.hits();
+    std::vector<float> claimed(hits.size(), 0), weighted(hits.size(), 0);
+    for (const Opinion& o : frame.opinions)
+        for (const OpinionVoxel& v : o.voxels) {
+            claimed[v.hit] += v.points;
+            weighted[v.hit] += v.points * o.confidence;
+        }
+
+    for (size_t i = 0; i < frame.opinions.size(); ++i) {
+        const Opinion& o = frame.opinions[i];
+        for (const OpinionVoxel& v : o.voxels) {
+            const float available =
+                std::min(claimed[v.hit], static_cast<float>(hits[v.hit].points));
+            const float share = v.points * o.confidence / weighted[v.hit];
+            map.addEvidence(hits[v.hit].coord, instances[i], available * share);
+        }
+    }
+
+    const auto weight = static_cast<float>(unknownWeight);
+    for (size_t h = 0; h < hits.size(); ++h) {
+        const float unclaimed = static_cast<float>(hits[h].points) - claimed[h];
+        if (unclaimed * weight > 0)
+            map.addEvidence(hits[h].coord, UNKNOWN_INSTANCE, unclaimed * weight);
+    }
+}
+
+void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
+                        const std::vector<instance_id_t>& instances, uint32_t frameNumber,
+                        SemanticVoxelMap& map)
+{
+    for (size_t i = 0; i < opinions.size(); ++i) {
+        const Opinion& opinion = *opinions[i].opinion;
+        Instance& instance = map.instance(instances[i]);
+        instance.categories.add(opinions[i].categories, static_cast<double>(opinion.confidence));
+        if (instance.observations == 0) instance.firstFrame = frameNumber;
+        instance.lastFrame = frameNumber;
+        ++instance.observations;
+        if (opinion.track != InstancePrediction::NO_TRACK) instance.tracks.insert(opinion.track);
+    }
+}
+}  // namespace voxeland

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/pipeline/MapperConfig.h"
+
+#include "voxeland/errors.h"
+#include "voxeland/plugins/PluginLoader.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace voxeland
+{
+namespace
+{
+constexpr double INF = std::numeric_limits<double>::infinity();
+/** Sections that belong to other programs, checked there. */
+constexpr const char* DISAMBIGUATION = "disambiguation";
+
+void declare(OptionList& list, InputOptions& o)
+{
+    list.add("depth_sensor_label", o.depth_sensor_label,
+             "Sensor label of the RGB-D camera; empty: the first CObservation3DRangeScan met");
+    list.add("instances_sensor_label", o.instances_sensor_label,
+             "Sensor label of the predictions; empty: any CObservationInstances");
+    list.add(
+        "pose_source", o.pose_source,
+        "Where robot poses come from: robot_pose | odometry | actions | simplemap | tum:<file>");
+    list.add("max_pose_gap", o.max_pose_gap, {0, INF},
+             "Longest time between two poses to interpolate over [s]");
+    list.add("prediction_wait", o.prediction_wait, {0, 1000},
+             "How many newer frames to wait for a frame's predictions or pose");
+    list.add("min_depth", o.depth.min_depth, {0, INF}, "Nearest depth used [m]");
+    list.add("max_depth", o.depth.max_depth, {0, 1000}, "Farthest depth used [m]");
+    list.add("threads", o.threads, {0, 256},
+             "Threads that read and prepare frames; 0: one a core. The map does not depend on it");
+}
+
+void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
+{
+    list.add("resolution", o.resolution, {0.001, 10}, "Voxel edge [m]");
+    list.add("prob_hit", o.occupancy.prob_hit, {0.5, 1},
+             "Probability of occupied, given a point measured in the voxel");
+    list.add("prob_miss", o.occupancy.prob_miss, {0, 0.5},
+             "Probability of occupied, given a ray through the voxel");
+    list.add("prob_min", o.occupancy.prob_min, {0, 0.5}, "Least probability a voxel can reach");
+    list.add("prob_max", o.occupancy.prob_max, {0.5, 1}, "Greatest probability a voxel can reach");
+    list.add("unknown_weight", integration.unknown_weight, {0, 1},
+             "Evidence for 'unknown' of a depth pixel that no detection claims");
+    list.add("visibility_margin", integration.visibility_margin, {0, 10},
+             "A voxel this far behind the measured depth still counts as seen [m]");
+    list.add("prior_strength", o.prior_strength, {0, INF},
+             "Prior evidence spread over the known categories of an instance (W)");
+    list.add(
+        "entropy", o.entropy,
+        std::vector<std::pair<std::string, EntropyMeasure>>{{"expected", EntropyMeasure::expected},
+                                                            {"paper", EntropyMeasure::paper},
+                                                            {"mean", EntropyMeasure::mean}},
+        "Measure of uncertainty [nat]");
+}
+
+void declare(OptionList& list, RefinementOptions& o)
+{
+    list.add("every", o.every, {0, 1e6}, "Frames between two refinements of the map; 0: never");
+}
+
+/** A section that names a plugin library, one of its classes, and that class's keys. */
+template <typename Base>
+struct PluginSection
+{
+    std::string section, library, className;
+    OptionList options;
+    std::shared_ptr<Base> object;
+
+    PluginSection(const Ini& ini, std::string name, std::string defaultLibrary,
+                  std::string defaultClass)
+        : section(std::move(name)),
+          library(std::move(defaultLibrary)),
+          className(std::move(defaultClass))
+    {
+        // These two decide which other keys there are, so they are read first.
+        for (const std::string& key : ini.keys(section)) {
+            if (key == "plugin") library = ini.value(section, key);
+            if (key == "class") className = ini.value(section, key);
+        }
+        if (!library.empty()) loadPlugin(library, pluginSearchPath(ini.folder()));
+        object = createPlugin<Base>(className);
+        options.add("plugin", library, "Plugin library; empty: the class is already loaded");
+        options.add("class", className, object->description());
+        object->declareOptions(options);
+    }
+};
+
+void checkSections(const Ini& ini, std::vector<std::string>& problems)
+{
+    const std::vector<std::string> known = {"voxeland",    "map",        "converter",
+                                            "association", "refinement", DISAMBIGUATION};
+    for (const std::string& section : ini.sections()) {
+        if (section.empty() || std::find(known.begin(), known.end(), section) != known.end())
+            continue;
+        const std::string nearest = nearestWord(section, known);
+        problems.push_back("there is no section [" + section + "]" +
+                           (nearest.empty() ? "" : " (did you mean [" + nearest + "]?)"));
+    }
+}
+
+std::string joined(const std::vector<std::string>& sentences)
+{
+    std::string text;
+    for (const auto& s : sentences) text += (text.empty() ? "" : "; ") + s;
+    return text;
+}
+}  // namespace
+
+MapperConfig::MapperConfig(const Ini& ini)
+{
+    std::vector<std::string> problems;
+    checkSections(ini, problems);
+    OptionList inputList, mapList, refinementList;
+    declare(inputList, input);
+    declare(mapList, map, integration);
+    declare(refinementList, refinement);
+    inputList.load(ini, "voxeland", problems);
+    mapList.load(ini, "map", problems);
+    refinementList.load(ini, "refinement", problems);
+    if (input.depth.min_depth >= input.depth.max_depth)
+        problems.push_back("[voxeland] min_depth must be less than max_depth");
+    try {
+        OccupancyFilter check(map.occupancy);
+    } catch (const std::invalid_argument& e) {
+        problems.push_back(std::string("[map] ") + e.what());
+    }
+
+    PluginSection<COpinionConverter> converterSection(ini, "converter", "recorded_instances",
+                                                      "CRecordedInstancesConverter");
+    PluginSection<CAssociationPolicy> associationSection(
+        ini, "association", "evidential_association", "CEvidentialAssociation");
+    converterSection.options.load(ini, "converter", problems);
+    associationSection.options.load(ini, "association", problems);
+    if (!problems.empty())
+        throw ConfigurationError("configuration of '" + ini.origin() + "': " + joined(problems));
+    converterSection.object->start();
+    associationSection.object->start();
+    converter = converterSection.object;
+    association = associationSection.object;
+
+    const auto print = [&] {
+        std::ostringstream out;
+        inputList.print(out, "voxeland");
+        out << "\n";
+        mapList.print(out, "map");
+        out << "\n";
+        converterSection.options.print(out, "converter");
+        out << "\n";
+        associationSection.options.print(out, "association");
+        out << "\n";
+        refinementList.print(out, "refinement");
+        return out.str();
+    };
+    m_text = print();
+    const uint32_t threads = std::exchange(input.threads, 0);
+    m_reproducibleText = print();
+    input.threads = threads;
+}
+}  // namespace voxeland

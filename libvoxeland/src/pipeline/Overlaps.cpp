@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/pipeline/Overlaps.h"
+
+#include "voxeland/map/SemanticVoxelMap.h"
+
+namespace voxeland
+{
+namespace
+{
+CategoryEvidence numbered(const CategoryDistribution& distribution, CategoryTable& table)
+{
+    CategoryEvidence evidence;
+    for (const auto& c : distribution)
+        evidence.add(table.add(c.name), static_cast<double>(c.probability));
+    return evidence;
+}
+}  // namespace
+
+void OverlapFinder::countVisible(const ObservedSpace& space, const SemanticVoxelMap& map)
+{
+    m_visible.clear();
+    for (size_t b = 0; b < space.size(); ++b) {
+        const MapBlock* block = map.blocks().find(space.coordOf(b));
+        if (block == nullptr || !block->surface().any()) continue;
+        const CellMask seen = space[b].visible() & block->surface();
+        seen.forEach([&](int cell) {
+            for (const auto& e : *block->evidence(cell)) m_visible.add(e.instance);
+        });
+    }
+}
+
+std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, SemanticVoxelMap& map)
+{
+    std::vector<OpinionOverlaps> result;
+    if (frame.opinions.empty()) return result;
+    countVisible(frame.space, map);
+    for (const Opinion& opinion : frame.opinions) {
+        OpinionOverlaps overlaps;
+        overlaps.opinion = &opinion;
+        overlaps.categories = numbered(opinion.categories, map.categories());
+        m_common.clear();
+        for (const OpinionVoxel& v : opinion.voxels)
+            if (const VoxelEvidence* evidence = map.evidence(frame.voxels.hits()[v.hit].coord))
+                for (const auto& e : *evidence) m_common.add(e.instance);
+        for (const instance_id_t id : m_common.counted()) {
+            if (id == UNKNOWN_INSTANCE) continue;
+            const Instance& instance = map.instance(id);
+            Overlap o;
+            o.instance = id;
+            o.intersection = m_common.of(id);
+            o.opinionVoxels = static_cast<uint32_t>(opinion.voxels.size());
+            o.instanceVoxels = instance.voxels;
+            o.visibleVoxels = m_visible.of(id);
+            o.similarity = semanticSimilarity(overlaps.categories, instance.categories);
+            overlaps.candidates.push_back(o);
+        }
+        result.push_back(std::move(overlaps));
+    }
+    return result;
+}
+}  // namespace voxeland

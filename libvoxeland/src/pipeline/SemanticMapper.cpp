@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/pipeline/SemanticMapper.h"
+
+#include "voxeland/errors.h"
+#include "voxeland/pipeline/Integration.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+namespace voxeland
+{
+namespace
+{
+void decode(const RgbdFrame& frame, StageTimes& times)
+{
+    const StageTimer timer(times, Stage::decode);
+    try {
+        frame.scan->load();
+    } catch (const std::exception& e) {
+        const std::string what = e.what();
+        throw InputError("an image of the rawlog cannot be read (restore its folder of images): " +
+                         what.substr(0, what.find('\n')));
+    }
+}
+}  // namespace
+
+PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
+{
+    StageTimes times{};
+    decode(frame, times);
+
+    auto voxels = [&] {
+        const StageTimer timer(times, Stage::voxelize);
+        return VoxelizedFrame(frame, m_config.map.resolution, m_config.input.depth);
+    }();
+    auto opinions = [&] {
+        const StageTimer timer(times, Stage::opinions);
+        return m_config.converter->convert(frame, voxels);
+    }();
+    auto space = [&] {
+        const StageTimer timer(times, Stage::rays);
+        return castRays(voxels, m_config.integration.visibility_margin);
+    }();
+    return {std::move(voxels), std::move(opinions), std::move(space), frame.instances != nullptr,
+            times};
+}
+
+StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
+                                     MappingCounts& counts)
+{
+    std::vector<OpinionOverlaps> opinions;
+    std::vector<Assignment> assignments;
+    {
+        const StageTimer timer(frame.times, Stage::association);
+        opinions = m_overlaps.find(frame, map);
+        assignments = m_config.association->associate(opinions, map);
+    }
+    {
+        const StageTimer timer(frame.times, Stage::integration);
+        const auto instances = resolveAssignments(assignments, map);
+        integrateOccupancy(frame.space, map);
+        integrateGeometry(frame, instances, m_config.integration.unknown_weight, map);
+        integrateSemantics(opinions, instances, counts.frames, map);
+    }
+    ++counts.frames;
+    counts.framesWithoutPredictions += frame.hasPredictions ? 0 : 1;
+    counts.opinions += static_cast<uint32_t>(frame.opinions.size());
+    return frame.times;
+}
+}  // namespace voxeland

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/plugins/Ini.h"
+
+#include "voxeland/errors.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace voxeland
+{
+namespace
+{
+std::string firstLine(const std::string& text)
+{
+    return text.substr(0, text.find('\n'));
+}
+}  // namespace
+
+Ini Ini::fromFile(const std::string& file)
+{
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file))
+        throw ConfigurationError("cannot read the configuration '" + file +
+                                 "': give the path of an INI file");
+    std::ostringstream text;
+    text << in.rdbuf();
+    Ini ini = fromText(text.str(), file);
+    ini.m_folder = std::filesystem::absolute(file).parent_path().string();
+    return ini;
+}
+
+Ini Ini::fromText(const std::string& text, const std::string& origin)
+{
+    Ini ini;
+    ini.m_origin = origin;
+    try {
+        ini.m_content.setContent(text);
+    } catch (const std::exception& e) {
+        throw ConfigurationError("'" + origin + "' is not a valid INI: " + firstLine(e.what()));
+    }
+    return ini;
+}
+
+Ini Ini::fromPrefixedSections(const mrpt::config::CConfigFileBase& source,
+                              const std::string& prefix)
+{
+    Ini ini;
+    ini.m_origin = "sections " + prefix + "_*";
+    std::vector<std::string> sections, keys;
+    source.getAllSections(sections);
+    for (const std::string& section : sections) {
+        if (section.rfind(prefix + "_", 0) != 0) continue;
+        source.getAllKeys(section, keys);
+        for (const std::string& key : keys)
+            ini.m_content.write(section.substr(prefix.size() + 1), key,
+                                source.read_string(section, key, ""));
+    }
+    return ini;
+}
+
+void Ini::set(const std::string& assignment)
+{
+    const size_t equals = assignment.find('=');
+    const size_t dot = assignment.find('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals)
+        throw ConfigurationError("'" + assignment + "' is not of the form section.key=value");
+    m_content.write(assignment.substr(0, dot), assignment.substr(dot + 1, equals - dot - 1),
+                    assignment.substr(equals + 1));
+}
+
+std::vector<std::string> Ini::sections() const
+{
+    std::vector<std::string> names;
+    m_content.getAllSections(names);
+    return names;
+}
+
+std::vector<std::string> Ini::keys(const std::string& section) const
+{
+    std::vector<std::string> names;
+    if (m_content.sectionExists(section)) m_content.getAllKeys(section, names);
+    return names;
+}
+
+std::string Ini::value(const std::string& section, const std::string& key) const
+{
+    return m_content.read_string(section, key, "");
+}
+}  // namespace voxeland

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/plugins/OptionList.h"
+
+#include "voxeland/plugins/Ini.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <numeric>
+#include <ostream>
+#include <sstream>
+
+namespace voxeland
+{
+namespace
+{
+std::string lowerCase(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/** Shortest text that reads back as the same number. */
+std::string numberText(double value)
+{
+    for (int digits = 6; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+        std::ostringstream text;
+        text << std::setprecision(digits) << value;
+        if (std::stod(text.str()) == value) return text.str();
+    }
+    return std::to_string(value);
+}
+
+/** Number of single-character edits between two words (Levenshtein). */
+size_t editDistance(const std::string& a, const std::string& b)
+{
+    std::vector<size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), size_t{0});
+    for (size_t i = 1; i <= a.size(); ++i) {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= b.size(); ++j) {
+            const size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+        }
+    }
+    return row.back();
+}
+}  // namespace
+
+std::string nearestWord(const std::string& misspelt, const std::vector<std::string>& words)
+{
+    std::string nearest;
+    size_t least = std::max<size_t>(2, misspelt.size() / 2) + 1;
+    for (const auto& word : words) {
+        const size_t distance = editDistance(lowerCase(misspelt), lowerCase(word));
+        if (distance >= least) continue;
+        least = distance;
+        nearest = word;
+    }
+    return nearest;
+}
+
+void OptionList::addText(const std::string& key, Printer print, Parser parse,
+                         const std::string& comment)
+{
+    m_options.push_back({key, comment, std::move(print), std::move(parse)});
+}
+
+void OptionList::add(const std::string& key, std::string& variable, const std::string& comment)
+{
+    addText(
+        key, [&variable] { return variable; },
+        [&variable](const std::string& text) {
+            variable = text;
+            return std::string();
+        },
+        comment);
+}
+
+void OptionList::add(const std::string& key, bool& variable, const std::string& comment)
+{
+    addText(
+        key, [&variable] { return variable ? "true" : "false"; },
+        [&variable](const std::string& text) {
+            const std::string word = lowerCase(text);
+            const bool yes = word == "true" || word == "yes" || word == "1";
+            const bool no = word == "false" || word == "no" || word == "0";
+            if (!yes && !no) return "is neither true nor false";
+            variable = yes;
+            return "";
+        },
+        comment);
+}
+
+template <typename Number>
+void OptionList::addNumber(const std::string& key, Number& variable, const Range& range,
+                           const std::string& comment)
+{
+    addText(
+        key, [&variable] { return numberText(static_cast<double>(variable)); },
+        [&variable, range](const std::string& text) -> std::string {
+            double value = 0;
+            std::istringstream in(text);
+            if (!(in >> value) || !(in >> std::ws).eof())
+                return "is not a number (comments behind a value start with ' //')";
+            if (std::numeric_limits<Number>::is_integer && value != std::floor(value))
+                return "is not a whole number";
+            if (!(value >= range.least && value <= range.most))
+                return "is not within " + numberText(range.least) + " and " +
+                       numberText(range.most);
+            variable = static_cast<Number>(value);
+            return {};
+        },
+        comment);
+}
+
+void OptionList::add(const std::string& key, int& variable, const Range& range,
+                     const std::string& comment)
+{
+    addNumber(key, variable, range, comment);
+}
+
+void OptionList::add(const std::string& key, uint32_t& variable, const Range& range,
+                     const std::string& comment)
+{
+    addNumber(key, variable, range, comment);
+}
+
+void OptionList::add(const std::string& key, double& variable, const Range& range,
+                     const std::string& comment)
+{
+    addNumber(key, variable, range, comment);
+}
+
+void OptionList::load(const Ini& ini, const std::string& section,
+                      std::vector<std::string>& problems) const
+{
+    std::vector<std::string> known;
+    for (const Option& o : m_options) known.push_back(o.key);
+    for (const std::string& key : ini.keys(section)) {
+        const auto option = std::find_if(m_options.begin(), m_options.end(), [&](const Option& o) {
+            return lowerCase(o.key) == lowerCase(key);
+        });
+        if (option == m_options.end()) {
+            const std::string nearest = nearestWord(key, known);
+            problems.push_back("[" + section + "] has no key '" + key + "'" +
+                               (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)"));
+            continue;
+        }
+        const std::string value = ini.value(section, key);
+        const std::string wrong = option->parse(value);
+        if (!wrong.empty())
+            problems.push_back("[" + section + "] " + option->key + " = '" + value + "' " + wrong);
+    }
+}
+
+void OptionList::print(std::ostream& out, const std::string& section) const
+{
+    out << "[" << section << "]\n";
+    for (const Option& o : m_options) {
+        out << "# " << o.comment << "\n" << o.key << " = " << o.print() << "\n";
+    }
+}
+}  // namespace voxeland

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CIoUAssociation.h"
+
+#include <mrpt/core/initializer.h>
+
+#include <algorithm>
+
+namespace voxeland
+{
+IMPLEMENTS_MRPT_OBJECT(CIoUAssociation, voxeland::CAssociationPolicy, voxeland)
+
+namespace
+{
+category_id_t topCategory(const CategoryEvidence& evidence)
+{
+    const auto& e = evidence.entries();
+    return std::max_element(e.begin(), e.end(),
+                            [](const auto& a, const auto& b) { return a.beta < b.beta; })
+        ->category;
+}
+}  // namespace
+
+std::string CIoUAssociation::description() const
+{
+    return "intersection over union and most probable category only, as earlier systems do";
+}
+
+void CIoUAssociation::declareOptions(OptionList& options)
+{
+    options.add("tau_iou", m_tauIoU, {0, 1}, "Least intersection over union of a match");
+    options.add("same_category", m_sameCategory,
+                "Only match instances of the same most probable category");
+}
+
+std::vector<Assignment> CIoUAssociation::associate(const std::vector<OpinionOverlaps>& opinions,
+                                                   const SemanticVoxelMap& map) const
+{
+    std::vector<Assignment> assignments;
+    for (const OpinionOverlaps& o : opinions) {
+        Assignment best;
+        best.newInstance = static_cast<uint32_t>(assignments.size());
+        double bestIoU = m_tauIoU;
+        for (const Overlap& candidate : o.candidates) {
+            const CategoryEvidence& known = map.instance(candidate.instance).categories;
+            if (m_sameCategory && topCategory(known) != topCategory(o.categories)) continue;
+            const bool better = best.instance == UNKNOWN_INSTANCE ? candidate.iou() >= bestIoU
+                                                                  : candidate.iou() > bestIoU;
+            if (!better) continue;
+            best.instance = candidate.instance;
+            bestIoU = candidate.iou();
+        }
+        assignments.push_back(best);
+    }
+    return assignments;
+}
+
+bool CIoUAssociation::mayMerge(const InstanceOverlap& overlap, const SemanticVoxelMap& map) const
+{
+    return overlap.iou() >= m_tauIoU &&
+           (!m_sameCategory || topCategory(map.instance(overlap.a).categories) ==
+                                   topCategory(map.instance(overlap.b).categories));
+}
+}  // namespace voxeland
+
+MRPT_INITIALIZER(registerIoUAssociation)
+{
+    mrpt::rtti::registerClass(CLASS_ID(voxeland::CIoUAssociation));
+}
