@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/datasets/CocoPredictions.h"
+
+#include <functional>
+#include <string>
+
+namespace voxeland
+{
+/** How addPredictions() works. */
+struct AddPredictionsOptions
+{
+    /** true: a new rawlog with the predictions inside; false: a sidecar beside it. */
+    bool embed = false;
+    /** Which sensor's RGB-D frames; empty: the only one's. */
+    std::string sensorLabel;
+};
+
+/** What addPredictions() did. */
+struct AddedPredictions
+{
+    size_t frames = 0;                   //!< RGB-D frames in the rawlog
+    size_t predictions = 0;              //!< added
+    size_t predictionsWithoutFrame = 0;  //!< of frames the rawlog does not have
+    size_t replaced = 0;                 //!< earlier prediction observations dropped from it
+    bool imagesLinked = false;           //!< OUTPUT_Images is a link to the input's images
+};
+
+/** Adds predictions to a rawlog, in either of MRPT's rawlog formats. Its RGB-D frames are numbered
+ *  from 0 in their order. Without embed, the rawlog is copied as it is, unless output is input. The
+ *  input stays as it is until the output is complete, also where they are the same.
+ *  \param progress called after each frame with their number and the share of the file done
+ *  \throws InputError if the rawlog is missing, cut off, or holds predictions already (without
+ *  embed); NothingToMapError if it has no RGB-D frames; ConfigurationError if it has several
+ *  sensors' and none is chosen; OutputError */
+AddedPredictions addPredictions(const std::string& input, const CocoPredictions& predictions,
+                                const std::string& output, const AddPredictionsOptions& options,
+                                const std::function<void(size_t frames, double share)>& progress);
+}  // namespace voxeland

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/datasets/DatasetImport.h"
+
+#include "voxeland/errors.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <future>
+#include <optional>
+
+namespace voxeland
+{
+namespace
+{
+/** A frame as read, with the number of frames gone through so far. */
+struct ReadFrame
+{
+    RgbdRecord record;
+    DatasetFrame frame;
+    size_t done;
+};
+
+void attachPredictions(const CocoPredictions& predictions, ReadFrame& read)
+{
+    const auto& scan = *read.record.scan;
+    read.record.instances =
+        predictions.instancesFor(read.frame, static_cast<int>(scan.cameraParamsIntensity.ncols),
+                                 static_cast<int>(scan.cameraParamsIntensity.nrows));
+    if (!read.record.instances) return;
+    read.record.instances->timestamp = scan.timestamp;
+    read.record.instances->sensorLabel = scan.sensorLabel;
+    read.record.instances->setSensorPose(scan.sensorPose);
+}
+}  // namespace
+
+ImportSummary importDataset(RgbdDatasetReader& dataset, const CocoPredictions* predictions,
+                            RgbdRawlogWriter* writer,
+                            const std::function<void(size_t done)>& progress)
+{
+    ImportSummary summary;
+    // Decoding the next frame takes as long as compressing this one: do both at a time.
+    size_t usable = 0;
+    const auto readNext = [&]() -> std::optional<ReadFrame> {
+        RgbdRecord record;
+        if (!dataset.next(record)) return std::nullopt;
+        return ReadFrame{record, dataset.frame(), ++usable + dataset.skipped().size()};
+    };
+    for (auto read = readNext(); read;) {
+        auto next = std::async(std::launch::async, readNext);
+        if (predictions) attachPredictions(*predictions, *read);
+        if (read->record.instances) summary.predictions += read->record.instances->instances.size();
+        if (writer) writer->write(read->record);
+        ++summary.frames;
+        progress(read->done);
+        read = next.get();
+    }
+    if (summary.frames == 0)
+        throw NothingToMapError("no frame can be used" +
+                                (dataset.skipped().empty() ? ": none is selected"
+                                                           : ", the first because of: " +
+                                                                 dataset.skipped().front().reason));
+    if (predictions) {
+        size_t ofFrames = 0;
+        for (const auto& frame : dataset.frames()) ofFrames += predictions->countFor(frame);
+        summary.predictionsLeftOut = ofFrames - summary.predictions;
+        summary.predictionsWithoutFrame = predictions->count() - ofFrames;
+    }
+    return summary;
+}
+}  // namespace voxeland
