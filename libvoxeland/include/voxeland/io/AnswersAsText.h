@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/io/MapAnswers.h"
+
+/** \file Answers of a map for people to read, and for programs as JSON (units as in
+ * instancesAsJson()). All end with a line break. */
+namespace voxeland
+{
+std::string asText(const MapOverview& overview);
+/** A table. \param withDistance show FoundInstance::distance \param prior show vacuity, which says
+ *  something only in maps with a prior */
+std::string asText(const std::vector<FoundInstance>& instances, bool withDistance, bool prior);
+std::string asText(const PlaceAnswer& answer);
+
+/** Keys as the members of MapOverview, and `map` as in instancesAsJson(). */
+std::string asJson(const SemanticVoxelMap& map, const MapOverview& overview);
+/** A list of the `objN` values of instancesAsJson(), each with its `distance`. */
+std::string asJson(const SemanticVoxelMap& map, const std::vector<FoundInstance>& instances);
+std::string asJson(const PlaceAnswer& answer);
+}  // namespace voxeland

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <ostream>
+#include <string>
+
+namespace voxeland
+{
+/** A file being written under a temporary name in the folder of its target, so that nobody ever
+ *  sees half of it: write to part(), then commit(). Targets that are no regular files (devices,
+ *  pipes) are written directly. */
+class AtomicFile
+{
+ public:
+    /** Nothing is created yet.
+     *  \throws OutputError if the target's folder does not exist or the target is a folder */
+    explicit AtomicFile(const std::string& target);
+    /** Removes what was written unless commit() was called. */
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /** Where to write. */
+    [[nodiscard]] const std::string& part() const { return m_part; }
+    /** Puts the finished part in the place of the target. \throws OutputError if that fails */
+    void commit();
+    /** An OutputError that names the target, the reason (the system's errno, if any) and what to
+     *  do. */
+    [[noreturn]] void fail(int error) const;
+
+ private:
+    std::string m_target, m_part;
+    bool m_committed = false;
+};
+
+/** Writes a whole file through AtomicFile.
+ *  \param write puts the content into the stream; binary, and may throw
+ *  \throws OutputError, naming the file, if not all of it could be written */
+void writeAtomically(const std::string& file, const std::function<void(std::ostream&)>& write);
+}  // namespace voxeland

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/io/OrientedBox.h"
+#include "voxeland/map/MapQueries.h"
+
+#include <string>
+#include <vector>
+
+namespace voxeland
+{
+/** A map in a few numbers. */
+struct MapOverview
+{
+    double resolution = 0;  //!< voxel edge [m]
+    mrpt::math::TPoint3D boxMin,
+        boxMax;                 //!< around the occupied voxels [m]; equal if there is none
+    size_t observedVoxels = 0;  //!< whose occupancy is known, free ones included
+    size_t occupiedVoxels = 0;  //!< surface voxels now more likely occupied than free
+    size_t instances = 0;       //!< that win at least one occupied voxel
+    std::map<std::string, unsigned> categories;  //!< those instances, by most probable category
+    SemanticVoxelMap::Memory memory;
+};
+MapOverview overviewOf(const SemanticVoxelMap& map);
+
+/** An instance that was looked for. */
+struct FoundInstance
+{
+    InstanceSummary summary;
+    OrientedBox box;
+    double distance = 0;  //!< from where it was looked for to its centroid [m]
+};
+
+/** All instances with an occupied voxel: the surest first (probability, then number of voxels). */
+std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map);
+
+/** Instances whose most probable category has this name, ignoring case; if there is none, those
+ *  whose category contains the text ("table" finds "dining table"). The nearest first.
+ *  \param from where to measure distances from [m] */
+std::vector<FoundInstance> findInstances(const SemanticVoxelMap& map, const std::string& category,
+                                         const mrpt::math::TPoint3D& from);
+
+/** Everything a map says of one place. */
+struct PlaceAnswer
+{
+    mrpt::math::TPoint3D center;  //!< of the voxel that holds the place [m]
+    bool observed = false;        //!< whether its occupancy is known
+    double occupancy = 0.5;       //!< probability
+    struct InstanceShare
+    {
+        instance_id_t id = UNKNOWN_INSTANCE;
+        std::string category;    //!< its most probable one
+        double alpha = 0;        //!< evidence: weighted number of points
+        double probability = 0;  //!< p(I_v = id | z)
+    };
+    std::vector<InstanceShare> instances;    //!< the most probable first; empty: nothing measured
+    std::vector<RankedCategory> categories;  //!< by total probability, the most probable first
+    double instanceEntropy = 0, winnerCategoryEntropy = 0, categoryEntropy = 0;  //!< [nat]
+};
+PlaceAnswer askPlace(const SemanticVoxelMap& map, const mrpt::math::TPoint3D& place);
+}  // namespace voxeland

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/map/SemanticVoxelMap.h"
+
+#include <string>
+
+namespace voxeland
+{
+/** Writes the voxels as a binary little-endian PLY point cloud, one vertex a voxel:
+ *  - `x y z` (float): centre [m], in the map's frame;
+ *  - `red green blue` (uchar): instanceColor() of the instance that wins the voxel;
+ *  - `instanceid` (int): that instance, 0 for *unknown*;
+ *  - `categoryid` (int): its most probable category, -1 if none; the header names them in lines
+ *    `comment category 3 dining table`;
+ *  - `occupancy` (float): probability in (0,1);
+ *  - `uncertainty_instances` (float): H(I_v) of the voxel [nat];
+ *  - `uncertainty_categories` (float): H(C_k) of the winning instance [nat], 0 for *unknown*;
+ *  - `uncertainty_semantic` (float): H(C_v), category by total probability [nat].
+ *
+ *  \param occupiedOnly leave out voxels that were measured once but are now believed free
+ *  \throws OutputError if the file cannot be written */
+void exportPly(const SemanticVoxelMap& map, const std::string& file, bool occupiedOnly = true);
+}  // namespace voxeland

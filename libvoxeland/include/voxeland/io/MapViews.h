@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/map/SemanticVoxelMap.h"
+
+#include <mrpt/math/TPoint3D.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voxeland
+{
+/** How pictures of a map are made. */
+struct ViewOptions
+{
+    /** Up in the map's frame, of any length > 0; not given: estimateUp(). */
+    std::optional<mrpt::math::TVector3D> up;
+    int height = 1000;  //!< of a picture, which is half as wide again, legend included [px]
+};
+
+/** Draws a map as pictures with legends, by software (no display, no GPU). Five colourings
+ *  (`instances`, `categories`, `uncertainty_instances`, `uncertainty_categories`,
+ *  `uncertainty_semantic`: blue low, red high, up to the 99 % quantile) in two views:
+ *  - `NAME_top.png`: from above, to scale, the map's x to the right;
+ *  - `NAME_perspective.png`: from above one of the corners, that which shows most of the objects.
+ *
+ *  Occupied voxels are drawn. What no detection speaks for is light grey; where it lies in front of
+ *  an object it is translucent, and above 95 % of the objects' voxels it is cut away, so that
+ * neither ceiling nor walls hide the room (without any object: above 90 % of the height). \param
+ * folder made if missing \return the files written \throws OutputError if one of them cannot be
+ *  \throws ConfigurationError for options out of range */
+std::vector<std::string> exportViews(const SemanticVoxelMap& map, const std::string& folder,
+                                     const ViewOptions& options = ViewOptions());
+}  // namespace voxeland

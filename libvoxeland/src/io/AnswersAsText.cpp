@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/io/AnswersAsText.h"
+
+#include <mrpt/core/format.h>
+
+#include <algorithm>
+
+using mrpt::format;
+
+namespace voxeland
+{
+namespace
+{
+std::string xyz(const mrpt::math::TPoint3D& p)
+{
+    return format("%.2f, %.2f, %.2f", p.x, p.y, p.z);
+}
+
+size_t longestName(const std::vector<FoundInstance>& instances)
+{
+    size_t longest = std::string("category").size();
+    for (const FoundInstance& f : instances)
+        longest = std::max(longest, f.summary.category().size());
+    return longest;
+}
+}  // namespace
+
+std::string asText(const MapOverview& o)
+{
+    const auto size = o.boxMax - o.boxMin;
+    std::string text;
+    text += format("resolution     %g m\n", o.resolution);
+    text += format("extent         %.2f x %.2f x %.2f m, from (%s) to (%s)\n", size.x, size.y,
+                   size.z, xyz(o.boxMin).c_str(), xyz(o.boxMax).c_str());
+    text += format("voxels         %zu observed, %zu occupied surface\n", o.observedVoxels,
+                   o.occupiedVoxels);
+    text += format("memory         %.1f MB; %.1f bytes a free voxel, %.1f a surface voxel\n",
+                   static_cast<double>(o.memory.bytes) / 1e6, o.memory.bytesPerFreeVoxel(),
+                   o.memory.bytesPerSurfaceVoxel());
+    text += format("instances      %zu\n", o.instances);
+    for (const auto& [name, count] : o.categories)
+        text += format("               %u %s\n", count, name.c_str());
+    return text;
+}
+
+std::string asText(const std::vector<FoundInstance>& instances, bool withDistance, bool prior)
+{
+    const auto width = static_cast<int>(longestName(instances));
+    std::string text = withDistance ? "dist [m]    " : "  ";
+    text += format("id  %-*s  prob.  entropy  %sobserved  voxels  %-18s  centre [m]\n", width,
+                   "category", prior ? "vacuity  " : "", "size [m], yaw [deg]");
+    for (const FoundInstance& f : instances) {
+        const InstanceSummary& s = f.summary;
+        if (withDistance) text += format("%8.2f  ", f.distance);
+        text += format("%4u  %-*s  %5.2f  %7.3f  ", s.id, width, s.category().c_str(),
+                       s.probability(), s.entropy);
+        if (prior) text += format("%7.3f  ", s.vacuity);
+        const std::string size = format("%.2fx%.2fx%.2f %4.0f", f.box.size.x, f.box.size.y,
+                                        f.box.size.z, f.box.yaw * 180 / M_PI);
+        text += format("%8u  %6u  %-19s  %s\n", s.observations, s.voxels, size.c_str(),
+                       xyz(s.centroid).c_str());
+    }
+    return text;
+}
+
+std::string asText(const PlaceAnswer& a)
+{
+    std::string text = format("voxel centre    %s m\n", xyz(a.center).c_str());
+    if (!a.observed && a.instances.empty()) return text + "never observed\n";
+    text +=
+        format("occupancy       %.3f (%s)\n", a.occupancy, a.occupancy > 0.5 ? "occupied" : "free");
+    if (a.instances.empty()) return text + "no surface was ever measured here\n";
+    text += "instances\n";
+    for (const auto& i : a.instances)
+        text += format("  %4u  p %.3f  alpha %8.2f  %s\n", i.id, i.probability, i.alpha,
+                       i.category.c_str());
+    text += "categories\n";
+    for (const auto& c : a.categories)
+        text += format("        p %.3f  %s\n", c.probability, c.name.c_str());
+    text += format("entropy         instance %.3f, its category %.3f, voxel's category %.3f nat\n",
+                   a.instanceEntropy, a.winnerCategoryEntropy, a.categoryEntropy);
+    return text;
+}
+}  // namespace voxeland

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/io/ExportAll.h"
+
+#include "voxeland/io/InstancesCsv.h"
+#include "voxeland/io/InstancesJson.h"
+#include "voxeland/io/MapPly.h"
+#include "voxeland/io/MapViews.h"
+#include "voxeland/io/OutputFolder.h"
+
+namespace voxeland
+{
+std::vector<std::string> exportAll(const SemanticVoxelMap& map, const std::string& folder)
+{
+    makeOutputFolder(folder);
+    std::vector<std::string> files = {folder + "/map.ply", folder + "/instances.json",
+                                      folder + "/instances.csv"};
+    exportPly(map, files[0]);
+    exportJson(map, files[1]);
+    exportCsv(map, files[2]);
+    const auto views = exportViews(map, folder);
+    files.insert(files.end(), views.begin(), views.end());
+    return files;
+}
+}  // namespace voxeland

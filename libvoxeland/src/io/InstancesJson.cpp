@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/io/InstancesJson.h"
+
+#include "JsonValues.h"
+#include "voxeland/io/AtomicFile.h"
+
+#include <algorithm>
+
+namespace voxeland
+{
+namespace
+{
+/** Evidence by category name, the strongest first. */
+json_t evidenceAsJson(const SemanticVoxelMap& map, const Instance& instance)
+{
+    auto entries = instance.categories.entries();
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto& a, const auto& b) { return a.beta > b.beta; });
+    json_t json = json_t::object();
+    for (const auto& e : entries) json[map.categories().name(e.category)] = e.beta;
+    return json;
+}
+}  // namespace
+
+json_t toJson(const mrpt::math::TPoint3D& p)
+{
+    return {p.x, p.y, p.z};
+}
+
+json_t toJson(const SemanticVoxelMap& map, const InstanceSummary& summary, const OrientedBox& box)
+{
+    json_t json;
+    json["bbox"] = {{"center", toJson((summary.boxMin + summary.boxMax) * 0.5)},
+                    {"size", toJson(summary.boxMax - summary.boxMin)}};
+    json["results"] = evidenceAsJson(map, map.instance(summary.id));
+    json["n_observations"] = summary.observations;
+    json["id"] = summary.id;
+    json["category"] = summary.category();
+    json["probability"] = summary.probability();
+    json["probabilities"] = json_t::object();
+    for (const auto& c : summary.categories) json["probabilities"][c.name] = c.probability;
+    json["entropy"] = summary.entropy;
+    json["vacuity"] = summary.vacuity;
+    json["geometric_entropy"] = summary.geometricEntropy;
+    json["voxels"] = summary.voxels;
+    json["centroid"] = toJson(summary.centroid);
+    json["oriented_box"] = {
+        {"center", toJson(box.center)}, {"size", toJson(box.size)}, {"yaw", box.yaw}};
+    return json;
+}
+
+json_t mapAsJson(const SemanticVoxelMap& map)
+{
+    return {{"resolution", map.resolution()},
+            {"frame", "world of the poses the map was built with, metres"},
+            {"entropy_measure", toString(map.options().entropy)},
+            {"prior_strength", map.options().prior_strength},
+            {"categories", map.categories().names()}};
+}
+
+std::string toText(const json_t& json)
+{
+    return json.dump(2, ' ', false, json_t::error_handler_t::replace) + "\n";
+}
+
+std::string instancesAsJson(const SemanticVoxelMap& map)
+{
+    const auto boxes = orientedBoxes(map);
+    json_t json;
+    json["map"] = mapAsJson(map);
+    json["instances"] = json_t::object();
+    for (const InstanceSummary& s : summarizeInstances(map))
+        json["instances"]["obj" + std::to_string(s.id)] = toJson(map, s, boxes.at(s.id));
+    return toText(json);
+}
+
+void exportJson(const SemanticVoxelMap& map, const std::string& file)
+{
+    writeAtomically(file, [&](std::ostream& out) { out << instancesAsJson(map); });
+}
+}  // namespace voxeland

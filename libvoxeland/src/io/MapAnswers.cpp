@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/io/MapAnswers.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+namespace voxeland
+{
+namespace
+{
+std::string lowerCase(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::vector<FoundInstance> allInstances(const SemanticVoxelMap& map)
+{
+    const auto boxes = orientedBoxes(map);
+    std::vector<FoundInstance> all;
+    for (InstanceSummary& s : summarizeInstances(map)) {
+        const OrientedBox& box = boxes.at(s.id);
+        all.push_back({std::move(s), box});
+    }
+    return all;
+}
+}  // namespace
+
+MapOverview overviewOf(const SemanticVoxelMap& map)
+{
+    MapOverview overview;
+    overview.resolution = map.resolution();
+    overview.memory = map.memory();
+    overview.observedVoxels = overview.memory.observedVoxels;
+    constexpr double INF = std::numeric_limits<double>::infinity();
+    mrpt::math::TPoint3D low(INF, INF, INF), high(-INF, -INF, -INF);
+    map.forEachVoxel([&](const VoxelCoord& v, const auto&...) {
+        const auto p = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
+        for (size_t a = 0; a < 3; ++a) {
+            low[a] = std::min(low[a], p[a] - map.resolution() / 2);
+            high[a] = std::max(high[a], p[a] + map.resolution() / 2);
+        }
+        ++overview.occupiedVoxels;
+    });
+    if (overview.occupiedVoxels > 0) {
+        overview.boxMin = low;
+        overview.boxMax = high;
+    }
+    for (const InstanceSummary& s : summarizeInstances(map)) {
+        ++overview.instances;
+        ++overview.categories[s.category()];
+    }
+    return overview;
+}
+
+std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map)
+{
+    auto all = allInstances(map);
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        const double pa = a.summary.probability(), pb = b.summary.probability();
+        return pa != pb ? pa > pb : a.summary.voxels > b.summary.voxels;
+    });
+    return all;
+}
+
+std::vector<FoundInstance> findInstances(const SemanticVoxelMap& map, const std::string& category,
+                                         const mrpt::math::TPoint3D& from)
+{
+    const std::string wanted = lowerCase(category);
+    std::vector<FoundInstance> exact, similar;
+    for (FoundInstance& f : allInstances(map)) {
+        f.distance = (f.summary.centroid - from).norm();
+        const std::string name = lowerCase(f.summary.category());
+        if (name == wanted)
+            exact.push_back(std::move(f));
+        else if (!wanted.empty() && name.find(wanted) != std::string::npos)
+            similar.push_back(std::move(f));
+    }
+    auto& found = exact.empty() ? similar : exact;
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.distance < b.distance; });
+    return found;
+}
+
+PlaceAnswer askPlace(const SemanticVoxelMap& map, const mrpt::math::TPoint3D& place)
+{
+    PlaceAnswer answer;
+    const VoxelCoord v = map.voxelOf(place);
+    answer.center = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
+    answer.observed = map.occupancy(v) != UNOBSERVED;
+    answer.occupancy = OccupancyFilter::probability(map.occupancy(v));
+    const VoxelEvidence* evidence = map.evidence(v);
+    if (evidence == nullptr) return answer;
+
+    const auto total = static_cast<double>(evidence->total());
+    for (const auto& e : *evidence) {
+        std::string name = UNKNOWN_CATEGORY;
+        if (e.instance != UNKNOWN_INSTANCE) {
+            const auto ranked = categoryDistribution(map, map.instance(e.instance));
+            if (!ranked.empty()) name = ranked.front().name;
+        }
+        const auto alpha = static_cast<double>(e.alpha);
+        answer.instances.push_back({e.instance, name, alpha, alpha / total});
+    }
+    std::stable_sort(answer.instances.begin(), answer.instances.end(),
+                     [](const auto& a, const auto& b) { return a.probability > b.probability; });
+
+    VoxelUncertainty uncertainty(map);
+    const std::vector<double>& p = uncertainty.categories(*evidence);
+    for (category_id_t c = 0; c < p.size(); ++c)
+        if (p[c] > 0)
+            answer.categories.push_back(
+                {c, c < map.categories().size() ? map.categories().name(c) : UNKNOWN_CATEGORY,
+                 p[c]});
+    std::stable_sort(answer.categories.begin(), answer.categories.end(),
+                     [](const auto& a, const auto& b) { return a.probability > b.probability; });
+    answer.instanceEntropy = uncertainty.instanceEntropy(*evidence);
+    answer.winnerCategoryEntropy = uncertainty.winnerCategoryEntropy(*evidence);
+    answer.categoryEntropy = uncertainty.categoryEntropy(*evidence);
+    return answer;
+}
+}  // namespace voxeland

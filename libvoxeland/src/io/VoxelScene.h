@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/map/SemanticVoxelMap.h"
+
+#include <mrpt/math/TPoint3D.h>
+#include <opencv2/core.hpp>
+
+#include <array>
+#include <vector>
+
+namespace voxeland
+{
+/** The faces of a cube: -x, +x, -y, +y, -z, +z. */
+inline constexpr std::array<VoxelCoord, 6> FACES = {
+    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+
+/** One voxel to draw. */
+struct SceneVoxel
+{
+    cv::Vec3f center;                         //!< in the levelled frame [m]
+    const VoxelEvidence* evidence = nullptr;  //!< in the map
+    instance_id_t winner = UNKNOWN_INSTANCE;
+    uint8_t exposedFaces = 0;  //!< bit i: FACES[i] is not covered by a voxel of the same kind
+
+    [[nodiscard]] bool isObject() const { return winner != UNKNOWN_INSTANCE; }
+};
+
+/** The voxels of a map that a picture shows, in a frame whose z axis is up and whose x axis is the
+ *  map's as far as that is level. Points into the map, which must outlive it. */
+class VoxelScene
+{
+ public:
+    /** \param up in the map's frame, length > 0 */
+    VoxelScene(const SemanticVoxelMap& map, const mrpt::math::TVector3D& up);
+
+    [[nodiscard]] const std::vector<SceneVoxel>& voxels() const { return m_voxels; }
+    [[nodiscard]] double resolution() const { return m_resolution; }
+    /** Unit vectors of the map's x, y, z in the levelled frame. */
+    [[nodiscard]] const std::array<cv::Vec3f, 3>& mapAxes() const { return m_axes; }
+    /** Box around the voxels but for a few strays, in the levelled frame [m]. */
+    [[nodiscard]] const cv::Vec3f& min() const { return m_min; }
+    [[nodiscard]] const cv::Vec3f& max() const { return m_max; }
+
+ private:
+    /** Up to which height voxels of *unknown* are shown, see exportViews(). */
+    [[nodiscard]] float cutHeight() const;
+    void findBounds();
+
+    double m_resolution;
+    std::array<cv::Vec3f, 3> m_axes;
+    std::vector<SceneVoxel> m_voxels;
+    cv::Vec3f m_min{0, 0, 0}, m_max{1, 1, 1};
+};
+}  // namespace voxeland

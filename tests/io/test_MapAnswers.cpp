@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TinyMap.h"
+#include "voxeland/io/AnswersAsText.h"
+#include "voxeland/io/MapAnswers.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace voxeland;
+using nlohmann::json;
+using voxeland::test::tinyMap;
+
+namespace
+{
+std::vector<instance_id_t> ids(const std::vector<FoundInstance>& found)
+{
+    std::vector<instance_id_t> result;
+    for (const auto& f : found) result.push_back(f.summary.id);
+    return result;
+}
+
+/** Adds an instance of one voxel. */
+instance_id_t addObject(SemanticVoxelMap& map, const std::string& category, const VoxelCoord& v)
+{
+    const instance_id_t id = test::addInstance(map, {{category, 1}});
+    test::addVoxel(map, v, {{id, 1}});
+    return id;
+}
+}  // namespace
+
+TEST(MapAnswers, overview)
+{
+    const MapOverview o = overviewOf(tinyMap());
+    EXPECT_EQ(o.observedVoxels, 4U);
+    EXPECT_EQ(o.occupiedVoxels, 3U);
+    EXPECT_EQ(o.instances, 2U);
+    EXPECT_EQ(o.categories, (std::map<std::string, unsigned>{{"chair", 1}, {"cup", 1}}));
+    EXPECT_NEAR(o.boxMin.x, -0.1, 1e-9);
+    EXPECT_NEAR(o.boxMax.x, 0.2, 1e-9);
+    EXPECT_NEAR(o.boxMax.z, 0.1, 1e-9);
+    const MapOverview nothing = overviewOf(SemanticVoxelMap());
+    EXPECT_EQ(nothing.occupiedVoxels, 0U);
+    EXPECT_EQ(nothing.boxMax.x, 0);
+}
+
+TEST(MapAnswers, theSurestFirst)
+{
+    EXPECT_EQ(ids(listInstances(tinyMap())), (std::vector<instance_id_t>{2, 1}));
+}
+
+TEST(MapAnswers, findsTheNearestFirstIgnoringCase)
+{
+    SemanticVoxelMap map = tinyMap();
+    const auto far = addObject(map, "Cup", {100, 0, 0}), middle = addObject(map, "cup", {20, 0, 0});
+    EXPECT_EQ(ids(findInstances(map, "CUP", {0, 0, 0})),
+              (std::vector<instance_id_t>{2, middle, far}));
+    const auto fromAfar = findInstances(map, "cup", {11, 0.05, 0.05});
+    EXPECT_EQ(ids(fromAfar), (std::vector<instance_id_t>{far, middle, 2}));
+    EXPECT_NEAR(fromAfar[0].distance, 11 - 10.05, 1e-9);
+    EXPECT_NEAR(fromAfar[1].distance, 11 - 2.05, 1e-9);
+}
+
+TEST(MapAnswers, partOfANameWillDoWhereNoNameIsTheSame)
+{
+    SemanticVoxelMap map = tinyMap();
+    const auto desk = addObject(map, "dining table", {50, 0, 0});
+    EXPECT_EQ(ids(findInstances(map, "table", {})), std::vector<instance_id_t>{desk});
+    const auto table = addObject(map, "table", {60, 0, 0});
+    EXPECT_EQ(ids(findInstances(map, "table", {})), std::vector<instance_id_t>{table});
+    EXPECT_TRUE(findInstances(map, "", {}).empty());
+    EXPECT_TRUE(findInstances(map, "sofa", {}).empty());
+}
+
+TEST(MapAnswers, aPlaceOnAnObject)
+{
+    const PlaceAnswer a = askPlace(tinyMap(), {0.01, 0.09, 0.05});
+    EXPECT_TRUE(a.observed);
+    EXPECT_NEAR(a.center.x, 0.05, 1e-9);
+    EXPECT_NEAR(a.occupancy, 0.9, 1e-3);
+    ASSERT_EQ(a.instances.size(), 2U);
+    EXPECT_EQ(a.instances[0].id, 1U);
+    EXPECT_EQ(a.instances[0].category, "chair");
+    EXPECT_EQ(a.instances[0].alpha, 10);
+    EXPECT_NEAR(a.instances[0].probability, 10.0 / 11, 1e-9);
+    EXPECT_EQ(a.instances[1].id, UNKNOWN_INSTANCE);
+    EXPECT_EQ(a.instances[1].category, "unknown");
+    ASSERT_EQ(a.categories.size(), 3U);
+    EXPECT_NEAR(a.categories[0].probability, 5.0 / 11, 1e-9);
+    EXPECT_NEAR(a.categories[1].probability, 5.0 / 11, 1e-9);
+    EXPECT_EQ(a.categories[2].name, "unknown");
+    EXPECT_NEAR(a.categories[2].probability, 1.0 / 11, 1e-9);
+    EXPECT_NEAR(a.instanceEntropy, test::H_INSTANCE_10_1, 1e-9);
+    EXPECT_NEAR(a.winnerCategoryEntropy, test::H_CATEGORY_2_2, 1e-9);
+    EXPECT_NEAR(a.categoryEntropy, test::H_SEMANTIC_SEAT, 1e-6);
+}
+
+TEST(MapAnswers, aPlaceNobodySaw)
+{
+    const PlaceAnswer a = askPlace(tinyMap(), {50, 50, 50});
+    EXPECT_FALSE(a.observed);
+    EXPECT_TRUE(a.instances.empty());
+    EXPECT_EQ(a.occupancy, 0.5);
+    EXPECT_NE(asText(a).find("never observed"), std::string::npos);
+}
+
+TEST(MapAnswers, textNamesWhatMatters)
+{
+    const SemanticVoxelMap map = tinyMap();
+    const std::string table = asText(listInstances(map), false, false);
+    for (const char* word : {"chair", "cup", "0.50", "0.583", "1.00", "0.10x0.10x0.10"})
+        EXPECT_NE(table.find(word), std::string::npos) << word << " in\n" << table;
+    EXPECT_EQ(table.find("vacuity"), std::string::npos);
+    const std::string place = asText(askPlace(map, {0.05, 0.05, 0.05}));
+    for (const char* word : {"0.909", "10.00", "chair", "0.935"})
+        EXPECT_NE(place.find(word), std::string::npos) << word << " in\n" << place;
+    EXPECT_NE(asText(overviewOf(map)).find("1 cup"), std::string::npos);
+}
+
+TEST(MapAnswers, theSameAsJson)
+{
+    const SemanticVoxelMap map = tinyMap();
+    const json overview = json::parse(asJson(map, overviewOf(map)));
+    EXPECT_EQ(overview["occupied_voxels"], 3);
+    EXPECT_EQ(overview["categories"], (json{{"chair", 1}, {"cup", 1}}));
+    const json found = json::parse(asJson(map, findInstances(map, "cup", {0.15, 0.05, 3.05})));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0]["distance"].get<double>(), 3, 1e-9);
+    EXPECT_EQ(found[0]["id"], 2);
+    const json place = json::parse(asJson(askPlace(map, {0.05, 0.05, 0.05})));
+    EXPECT_EQ(place["instances"][0]["alpha"], 10);
+    EXPECT_NEAR(place["uncertainty_semantic"].get<double>(), test::H_SEMANTIC_SEAT, 1e-6);
+    EXPECT_NEAR(place["categories"]["unknown"].get<double>(), 1.0 / 11, 1e-9);
+    EXPECT_EQ(json::parse(asJson(map, std::vector<FoundInstance>())), json::array());
+}

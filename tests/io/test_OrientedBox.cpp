@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TinyMap.h"
+#include "voxeland/io/OrientedBox.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace voxeland;
+
+TEST(OrientedBox, alongTheDiagonal)
+{
+    std::vector<VoxelCoord> voxels;
+    for (int i = -3; i <= 3; ++i) voxels.push_back({i, -i, 2});
+    const OrientedBox box = orientedBox(voxels, 0.1);
+    EXPECT_NEAR(box.yaw, -M_PI / 4, 1e-9);
+    EXPECT_NEAR(box.size.x, 0.6 * std::sqrt(2) + 0.1, 1e-9);
+    EXPECT_NEAR(box.size.y, 0.1, 1e-9);
+    EXPECT_NEAR(box.size.z, 0.1, 1e-9);
+    EXPECT_NEAR(box.center.x, 0.05, 1e-9);
+    EXPECT_NEAR(box.center.y, 0.05, 1e-9);
+    EXPECT_NEAR(box.center.z, 0.25, 1e-9);
+}
+
+TEST(OrientedBox, longerAlongY)
+{
+    std::vector<VoxelCoord> voxels;
+    for (int y = 0; y < 6; ++y)
+        for (int x = 0; x < 2; ++x) voxels.push_back({x, y, 0});
+    const OrientedBox box = orientedBox(voxels, 0.5);
+    EXPECT_NEAR(std::abs(box.yaw), M_PI / 2, 1e-9);
+    EXPECT_NEAR(box.size.x, 3, 1e-9);
+    EXPECT_NEAR(box.size.y, 1, 1e-9);
+    EXPECT_NEAR(box.center.x, 0.5, 1e-9);
+    EXPECT_NEAR(box.center.y, 1.5, 1e-9);
+}
+
+TEST(OrientedBox, aShapeWithoutDirectionIsNotTurned)
+{
+    std::vector<VoxelCoord> voxels;
+    for (int y = 0; y < 7; ++y)
+        for (int x = 0; x < 7; ++x) voxels.push_back({x + 1000, y - 333, 0});
+    EXPECT_EQ(orientedBox(voxels, 0.05).yaw, 0);
+}
+
+/** A rectangle of 2 x 0.6 m turned by a known angle, in voxels: the box comes back, to a voxel. */
+TEST(OrientedBox, findsATurnedRectangle)
+{
+    constexpr double YAW = 0.5, RESOLUTION = 0.02;
+    std::vector<VoxelCoord> voxels;
+    for (double a = -1; a <= 1; a += RESOLUTION / 2)
+        for (double b = -0.3; b <= 0.3; b += RESOLUTION / 2)
+            voxels.push_back(
+                {static_cast<int>(std::floor((std::cos(YAW) * a - std::sin(YAW) * b) / RESOLUTION)),
+                 static_cast<int>(std::floor((std::sin(YAW) * a + std::cos(YAW) * b) / RESOLUTION)),
+                 0});
+    const OrientedBox box = orientedBox(voxels, RESOLUTION);
+    EXPECT_NEAR(box.yaw, YAW, 0.01);
+    EXPECT_NEAR(box.size.x, 2, 2 * RESOLUTION);
+    EXPECT_NEAR(box.size.y, 0.6, 2 * RESOLUTION);
+}
+
+TEST(OrientedBox, onlyOccupiedVoxelsOfTheWinner)
+{
+    const auto boxes = orientedBoxes(test::tinyMap());
+    ASSERT_EQ(boxes.size(), 2U);
+    EXPECT_NEAR(boxes.at(2).center.x, 0.15, 1e-9);
+    EXPECT_NEAR(boxes.at(2).size.z, 0.1, 1e-9);
+}
