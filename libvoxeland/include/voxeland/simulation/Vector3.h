@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <mrpt/math/TPoint3D.h>
+
+namespace voxeland::simulation
+{
+/** A point or direction; metres. */
+using Vector3 = mrpt::math::TPoint3Df;
+
+inline float dot(const Vector3& a, const Vector3& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+}  // namespace voxeland::simulation

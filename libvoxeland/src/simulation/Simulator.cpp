@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/simulation/Simulator.h"
+
+#include "voxeland/simulation/Apartment.h"
+#include "voxeland/simulation/DepthNoise.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/poses/CPose3D.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace voxeland::simulation
+{
+namespace
+{
+constexpr auto SENSOR = "RGBD";
+constexpr double START_TIME = 1735689600;  //!< 2025-01-01 00:00 UTC [s]
+
+/** What random numbers are for: changing one setting does not change all the rest. */
+enum Stream : uint64_t
+{
+    FURNITURE,
+    PATH,
+    DRIFT,
+    RECOGNITION,
+    DEPTH,
+    DETECTION
+};
+
+const SimulationOptions& checked(const SimulationOptions& options)
+{
+    options.check();
+    return options;
+}
+
+mrpt::img::TCamera mrptCamera(const PinholeCamera& camera)
+{
+    mrpt::img::TCamera result;
+    result.ncols = static_cast<uint32_t>(camera.width);
+    result.nrows = static_cast<uint32_t>(camera.height);
+    result.setIntrinsicParamsFromValues(camera.focal, camera.focal, camera.cx, camera.cy);
+    return result;
+}
+}  // namespace
+
+Simulator::Simulator(const SimulationOptions& o)
+    : m_options(checked(o)),
+      m_scene(makeApartment(o.scene, Random(o.seed, FURNITURE))),
+      m_camera(o.camera),
+      m_truePoses(CameraPath(m_scene, o.camera, Random(o.seed, PATH)).poses()),
+      m_reportedPoses(drifting(m_truePoses, o.drift, Random(o.seed, DRIFT))),
+      m_renderer(m_scene, m_camera),
+      m_detector(m_scene, m_camera, o.detector, Random(o.seed, RECOGNITION))
+{
+}
+
+SimulatedFrame Simulator::frame(size_t index) const
+{
+    SimulatedFrame frame;
+    const double time = START_TIME + static_cast<double>(index) / m_options.camera.frameRate;
+    frame.timestamp = mrpt::Clock::fromDouble(time);
+    frame.truePose = m_truePoses.at(index);
+    frame.reportedPose = m_reportedPoses[index];
+    frame.exact = m_renderer.render(frame.truePose);
+    Random noise(m_options.seed, DEPTH, index);
+    frame.depth = measureDepth(frame.exact, m_camera, m_options.depth, noise);
+    frame.predictions =
+        m_detector.detect(frame.exact, frame.truePose, Random(m_options.seed, DETECTION, index));
+    return frame;
+}
+
+RgbdRecord Simulator::record(const SimulatedFrame& frame) const
+{
+    RgbdRecord record;
+    auto scan = mrpt::obs::CObservation3DRangeScan::Create();
+    scan->timestamp = frame.timestamp;
+    scan->sensorLabel = SENSOR;
+    scan->maxRange = m_options.depth.maxRange;
+    scan->range_is_depth = true;
+    scan->rangeUnits = 0.001F;
+    scan->hasRangeImage = true;
+    scan->rangeImage_setSize(m_camera.height, m_camera.width);
+    std::copy(frame.depth.begin(), frame.depth.end(), scan->rangeImage.data());
+    scan->hasIntensityImage = true;
+    scan->intensityImage.resize(static_cast<size_t>(m_camera.width),
+                                static_cast<size_t>(m_camera.height), mrpt::img::CH_RGB);
+    const size_t rowBytes = 3 * static_cast<size_t>(m_camera.width);
+    for (size_t row = 0; row < static_cast<size_t>(m_camera.height); ++row)
+        std::copy_n(&frame.exact.bgr[row * rowBytes], rowBytes,
+                    scan->intensityImage.ptrLine<uint8_t>(static_cast<unsigned>(row)));
+    scan->cameraParams = scan->cameraParamsIntensity = mrptCamera(m_camera);
+    scan->relativePoseIntensityWRTDepth = mrpt::poses::CPose3D(0, 0, 0, -M_PI / 2, 0, -M_PI / 2);
+    record.scan = scan;
+
+    record.robotPose = std::make_shared<mrpt::math::TPose3D>(frame.reportedPose);
+
+    record.instances = CObservationInstances::Create();
+    record.instances->timestamp = frame.timestamp;
+    record.instances->sensorLabel = std::string(SENSOR) + "_instances";
+    record.instances->imageWidth = m_camera.width;
+    record.instances->imageHeight = m_camera.height;
+    record.instances->instances = frame.predictions;
+    return record;
+}
+}  // namespace voxeland::simulation
