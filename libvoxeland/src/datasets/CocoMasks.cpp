@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/CocoMasks.h"
 
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace voxeland
@@ -45,24 +44,51 @@ RunLengthMask maskFromColumnRuns(int width, int height, const std::vector<uint32
     return RunLengthMask::fromBitmap(image.data, width, height);
 }
 
+namespace
+{
+/** Points x0, y0, x1, y1, ... */
+using Polygon = std::vector<double>;
+
+void check(const Polygon& polygon)
+{
+    if (polygon.size() < 6 || polygon.size() % 2 != 0)
+        throw std::invalid_argument("a polygon needs three or more x, y pairs");
+    constexpr double FARTHEST = 1e6;
+    if (!std::all_of(polygon.begin(), polygon.end(),
+                     [](double v) { return std::abs(v) <= FARTHEST; }))
+        throw std::invalid_argument("a polygon has a point that is not finite, or far off");
+}
+
+/** Where the polygon's edges cross a horizontal line, from left to right. */
+std::vector<double> crossings(const Polygon& polygon, double y)
+{
+    std::vector<double> xs;
+    const double* a = &polygon[polygon.size() - 2];
+    for (const double* b = polygon.data(); b != polygon.data() + polygon.size(); a = b, b += 2)
+        if ((a[1] > y) != (b[1] > y))
+            xs.push_back(a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]));
+    std::sort(xs.begin(), xs.end());
+    return xs;
+}
+}  // namespace
+
 RunLengthMask maskFromPolygons(int width, int height,
                                const std::vector<std::vector<double>>& polygons)
 {
-    constexpr int SHIFT = 4;  // fillPoly takes points in 1/16 pixel
-    constexpr double FARTHEST = 1e6;
-    const auto fixed = [](double v) {  // OpenCV's pixel (0, 0) has its centre at (0, 0)
-        if (!(std::abs(v) < FARTHEST)) throw std::invalid_argument("a polygon point is far off");
-        return static_cast<int>(std::lround((v - 0.5) * (1 << SHIFT)));
+    std::vector<uint8_t> bitmap(static_cast<size_t>(width) * static_cast<size_t>(height), 0);
+    // First pixel of a row whose centre is not left of x.
+    const auto column = [width](double x) {
+        return static_cast<std::ptrdiff_t>(std::ceil(std::clamp(x, 0.0, width + 0.5) - 0.5));
     };
-    cv::Mat image(height, width, CV_8U, cv::Scalar(0));
-    for (const auto& p : polygons) {
-        if (p.size() < 6 || p.size() % 2 != 0)
-            throw std::invalid_argument("a polygon needs three or more x, y pairs");
-        std::vector<cv::Point> points;
-        for (size_t i = 0; i < p.size(); i += 2) points.emplace_back(fixed(p[i]), fixed(p[i + 1]));
-        cv::fillPoly(image, std::vector<std::vector<cv::Point>>{points}, cv::Scalar(1), cv::LINE_8,
-                     SHIFT);
+    for (const auto& polygon : polygons) {
+        check(polygon);
+        for (int row = 0; row < height; ++row) {
+            const auto pixels = bitmap.begin() + static_cast<std::ptrdiff_t>(row) * width;
+            const auto xs = crossings(polygon, row + 0.5);
+            for (size_t i = 0; i + 1 < xs.size(); i += 2)
+                std::fill(pixels + column(xs[i]), pixels + column(xs[i + 1]), uint8_t{1});
+        }
     }
-    return RunLengthMask::fromBitmap(image.data, width, height);
+    return RunLengthMask::fromBitmap(bitmap.data(), width, height);
 }
 }  // namespace voxeland

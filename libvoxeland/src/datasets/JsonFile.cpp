@@ -6,17 +6,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 namespace voxeland
 {
 std::string readTextFile(const std::string& file)
 {
     std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    if (!in || std::filesystem::is_directory(file) || !(text << in.rdbuf()))
-        throw InputError("cannot read " + file);
-    return text.str();
+    if (!in || std::filesystem::is_directory(file)) throw InputError("cannot read " + file);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 nlohmann::json parseJson(const std::string& text, const std::string& file)

@@ -17,10 +17,10 @@ std::vector<uint32_t> decodeCocoCounts(const std::string& counts);
  *  \throws std::invalid_argument if they do not add up to the size */
 RunLengthMask maskFromColumnRuns(int width, int height, const std::vector<uint32_t>& runs);
 
-/** Mask of all pixels in any of the polygons, given as x0, y0, x1, y1, ... in pixels, where pixel
- *  (c, r) covers [c, c+1) x [r, r+1). Pixels that an edge runs through count as inside, so that the
- *  rim may differ by one pixel from COCO's own rasterization.
- *  \throws std::invalid_argument if a polygon has fewer than three points or one not finite */
+/** Mask of all pixels whose centre is in any of the polygons, given as x0, y0, x1, y1, ... in
+ *  pixels, where pixel (c, r) covers [c, c+1) x [r, r+1); inside is what an odd number of edges
+ *  surrounds. COCO's own rasterization rounds the outline, so that the rim may differ by one pixel.
+ *  \throws std::invalid_argument if a polygon has fewer than three points or one far off */
 RunLengthMask maskFromPolygons(int width, int height,
                                const std::vector<std::vector<double>>& polygons);
 }  // namespace voxeland

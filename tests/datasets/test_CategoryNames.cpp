@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/TestFiles.h"
+#include "voxeland/datasets/CategoryNames.h"
+#include "voxeland/errors.h"
+
+#include <gtest/gtest.h>
+
+using namespace voxeland;
+
+TEST(CategoryNames, knowsCocosNumbers)
+{
+    const auto& names = cocoCategoryNames();
+    EXPECT_EQ(names.size(), 91U);
+    for (const auto& [id, name] : CategoryNames{{1, "person"},
+                                                {44, "bottle"},
+                                                {62, "chair"},
+                                                {63, "couch"},
+                                                {65, "bed"},
+                                                {67, "dining table"},
+                                                {70, "toilet"},
+                                                {72, "tv"},
+                                                {82, "refrigerator"},
+                                                {84, "book"},
+                                                {90, "toothbrush"}})
+        EXPECT_EQ(names.at(id), name);
+}
+
+TEST(CategoryNames, readsEveryForm)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("names");
+    const CategoryNames expected = {{0, "cup"}, {1, "wine glass"}};
+    for (const char* text :
+         {"id,name\r\n0,cup\r\n1,wine glass\r\n", "0,cup\n1,wine glass",
+          R"({"categories": [{"id": 1, "name": "wine glass"}, {"id": 0, "name": "cup"}]})",
+          R"([{"id": 1, "name": "wine glass"}, {"id": 0, "name": "cup"}])",
+          R"( ["cup", "wine glass"])"})
+    {
+        test::writeFile(file, text);
+        EXPECT_EQ(readCategoryNames(file), expected) << text;
+    }
+}
+
+TEST(CategoryNames, refusesWhatNamesNothing)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("names");
+    EXPECT_THROW(readCategoryNames(file), InputError);
+    for (const char* text : {"", "some text", "[]", R"({"things": []})", R"([{"id": "one"}])",
+                             R"([{"id": 1, "name": 2}])", "[1, 2]", R"(["cup",)"})
+    {
+        test::writeFile(file, text);
+        EXPECT_THROW(readCategoryNames(file), InputError) << text;
+    }
+}
