@@ -64,7 +64,8 @@ int run(int argc, char** argv)
     std::cout << "\n";
     if (added.replaced > 0)
         std::cout << "replaced: predictions of " << added.replaced << " frames\n";
-    std::cout << "written: " << (embed.isSet() ? files.rawlog : files.sidecar).string() << "\n";
+    if (added.rawlogWritten) std::cout << "written: " << files.rawlog.string() << "\n";
+    if (!embed.isSet()) std::cout << "written: " << files.sidecar.string() << "\n";
     if (added.imagesLinked)
         std::cout << "linked: " << files.images.string() << ", to the images of "
                   << input.getValue() << "\n";

@@ -166,6 +166,7 @@ AddedPredictions addPredictions(const std::string& input, const CocoPredictions&
 
     AddedPredictions added = counter.added();
     added.replaced = writer.replaced();
+    added.rawlogWritten = options.embed || !inPlace;
     if (added.frames == 0)
         throw NothingToMapError(input + " has no RGB-D frames" +
                                 (options.sensorLabel.empty()

@@ -23,6 +23,7 @@ struct AddedPredictions
     size_t predictions = 0;              //!< added
     size_t predictionsWithoutFrame = 0;  //!< of frames the rawlog does not have
     size_t replaced = 0;                 //!< earlier prediction observations dropped from it
+    bool rawlogWritten = true;           //!< false: the output is the input, left as it was
     bool imagesLinked = false;           //!< OUTPUT_Images is a link to the input's images
 };
 

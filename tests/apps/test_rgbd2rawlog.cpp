@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** The program rgbd2rawlog, run as a user does. */
+#include "support/RunProgram.h"
+#include "support/SevenScenes.h"
+#include "support/TestFiles.h"
+#include "voxeland/io/GzInputFile.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+using namespace voxeland;
+namespace fs = std::filesystem;
+
+namespace
+{
+/** A mask of 32x24 pixels with none set, as COCO's uncompressed counts. */
+const std::string EMPTY_MASK = R"("segmentation": {"size": [24, 32], "counts": [768]})";
+
+std::string prediction(int image, const std::string& mask = EMPTY_MASK)
+{
+    return R"({"image_id": )" + std::to_string(image) + R"(, "category_id": 62, "score": 0.5, )" +
+           mask + "}";
+}
+
+class Rgbd2Rawlog : public testing::Test
+{
+ protected:
+    Rgbd2Rawlog()
+    {
+        for (const char* n : {"0", "1", "2", "3"})
+            test::writeSevenScenesFrame(m_folder.path() / "scene" / "seq-01" /
+                                        ("frame-00000" + std::string(n)));
+    }
+
+    [[nodiscard]] std::string path(const std::string& name) const { return m_folder.file(name); }
+
+    /** Imports the scene to k.rawlog with further options. */
+    [[nodiscard]] test::ProgramResult import(std::vector<std::string> options = {}) const
+    {
+        for (const std::string& o :
+             {std::string("--format"), std::string("7scenes"), std::string("--input"),
+              path("scene"), std::string("--output"), path("k.rawlog")})
+            options.push_back(o);
+        return test::runProgram("rgbd2rawlog", options);
+    }
+    [[nodiscard]] test::ProgramResult importWith(const std::string& predictions) const
+    {
+        test::writeFile(path("coco.json"), predictions);
+        return import({"--predictions", path("coco.json")});
+    }
+    void expectNothingWritten() const
+    {
+        for (const auto& entry : fs::directory_iterator(m_folder.path()))
+            EXPECT_TRUE(entry.path().filename() == "scene" ||
+                        entry.path().filename() == "coco.json")
+                << entry.path();
+    }
+
+    test::TemporaryFolder m_folder;
+};
+
+/** One line that starts with the program's name and has this in it. */
+void expectSentence(const test::ProgramResult& result, int exitCode, const std::string& part)
+{
+    EXPECT_EQ(result.exitCode, exitCode) << result.errors;
+    EXPECT_EQ(result.output, "");
+    EXPECT_EQ(result.errors.rfind("rgbd2rawlog: ", 0), 0U) << result.errors;
+    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+    EXPECT_NE(result.errors.find(part), std::string::npos) << result.errors;
+}
+}  // namespace
+
+TEST_F(Rgbd2Rawlog, importsAScene)
+{
+    const auto result = importWith("[" + prediction(0) + "," + prediction(9) + "]");
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_EQ(result.output.rfind("frames: 4 of 4 in 7-Scenes\n"
+                                  "predictions: 1, and 1 of frames that do not exist\n"
+                                  "written: " +
+                                      path("k.rawlog"),
+                                  0),
+              0U)
+        << result.output;
+    for (const char* name : {"k.rawlog", "k.instances.rawlog", "k_Images"})
+        EXPECT_TRUE(fs::exists(path(name))) << name;
+}
+
+TEST_F(Rgbd2Rawlog, countsPredictionsOfFramesLeftOut)
+{
+    test::writeFile(path("coco.json"),
+                    "[" + prediction(0) + "," + prediction(1) + "," + prediction(2) + "]");
+    const auto result = import(
+        {"--predictions", path("coco.json"), "--every", "2", "--embed", "--images", "embedded"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(result.output.find("frames: 2 of 4 in 7-Scenes\n"
+                                 "predictions: 2, and 1 of frames that were left out\n"),
+              std::string::npos)
+        << result.output;
+    EXPECT_FALSE(fs::exists(path("k.instances.rawlog")));
+    EXPECT_FALSE(fs::exists(path("k_Images")));
+}
+
+TEST_F(Rgbd2Rawlog, skipsAndCountsFramesWithoutAValidPose)
+{
+    test::writeFile(path("scene/seq-01/frame-000001.pose.txt"),
+                    "1 0 0 0\n0 2 0 0\n0 0 1 0\n0 0 0 1\n");
+    fs::remove(path("scene/seq-01/frame-000002.pose.txt"));
+    const auto result = import();
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(result.output.find("frames: 2 of 4 in 7-Scenes\n"
+                                 "skipped: 1 frames, no pose file "
+                                 "(seq-01/frame-000002.color.png)\n"
+                                 "skipped: 1 frames, pose is not a rigid transform "
+                                 "(seq-01/frame-000001.color.png)\n"),
+              std::string::npos)
+        << result.output;
+}
+
+TEST_F(Rgbd2Rawlog, checkWritesNothing)
+{
+    const auto result = test::runProgram(
+        "rgbd2rawlog", {"--format", "7scenes", "--input", path("scene"), "--check"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_EQ(result.output, "frames: 4 of 4 in 7-Scenes\n");
+    expectNothingWritten();
+}
+
+TEST_F(Rgbd2Rawlog, wrongUsageEndsWithOne)
+{
+    EXPECT_EQ(test::runProgram("rgbd2rawlog", {}).exitCode, 1);
+    expectSentence(test::runProgram("rgbd2rawlog",
+                                    {"--format", "8scenes", "--input", path("scene"), "--check"}),
+                   1, "7scenes");
+    expectSentence(import({"--every", "0"}), 1, "every");
+    expectSentence(import({"--images", "nowhere"}), 1, "nowhere");
+    expectSentence(import({"--check"}), 1, "--check");
+    expectSentence(import({"--categories", path("names.csv")}), 1, "--predictions");
+    expectNothingWritten();
+}
+
+TEST_F(Rgbd2Rawlog, corruptInputEndsWithThree)
+{
+    const std::string whole = "[" + prediction(0) + "]";
+    expectSentence(importWith(whole.substr(0, whole.size() / 2)), 3, "cut off");
+    const std::string small = R"("segmentation": {"size": [2, 2], "counts": [4]})";
+    expectSentence(importWith("[" + prediction(2, small) + "]"), 3,
+                   "image_id 2 are of 2x2 pixels but the image has 32x24");
+    test::writeFile(path("scene/seq-01/frame-000003.color.png"), "no image");
+    expectSentence(import(), 3, "frame-000003.color.png");
+    expectNothingWritten();
+    expectSentence(test::runProgram("rgbd2rawlog",
+                                    {"--format", "7scenes", "--input", path("missing"), "--check"}),
+                   3, path("missing"));
+}
+
+TEST_F(Rgbd2Rawlog, noUsableFrameEndsWithFour)
+{
+    expectSentence(import({"--from", "100"}), 4, "none is selected");
+    for (const char* n : {"0", "1", "2", "3"})
+        fs::remove(path("scene/seq-01/frame-00000" + std::string(n) + ".pose.txt"));
+    expectSentence(import(), 4, "no pose file");
+    expectNothingWritten();
+}
+
+TEST_F(Rgbd2Rawlog, unwritableOutputEndsWithFive)
+{
+    expectSentence(test::runProgram("rgbd2rawlog", {"--format", "7scenes", "--input", path("scene"),
+                                                    "--output", path("no/such/folder/k.rawlog")}),
+                   5, "no/such/folder");
+    fs::create_directory(path("k_Images"));
+    expectSentence(import(), 5, "k_Images");
+}
+
+TEST_F(Rgbd2Rawlog, helpAndVersionSucceed)
+{
+    EXPECT_EQ(test::runProgram("rgbd2rawlog", {"--help"}).exitCode, 0);
+    EXPECT_EQ(test::runProgram("rgbd2rawlog", {"--version"}).exitCode, 0);
+}
+
+TEST_F(Rgbd2Rawlog, stockMrptReadsARealRawlogWhole)
+{
+    SKIP_WITHOUT_REDKITCHEN();
+    const auto result = test::runProgram(
+        "rgbd2rawlog", {"--format", "7scenes", "--input", test::redkitchen().string(),
+                        "--predictions", (test::redkitchen() / "predictions_coco.json").string(),
+                        "--output", path("k.rawlog"), "--to", "29"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const auto info =
+        test::runProgramIn(m_folder.path().string(), "rawlog-edit", {"--info", "-i", "k.rawlog"});
+    if (info.exitCode == 127) GTEST_SKIP() << "no rawlog-edit on this machine";
+    EXPECT_EQ(info.exitCode, 0);
+    EXPECT_NE(info.output.find("Overall number of objects         : 61"), std::string::npos)
+        << info.output;
+    EXPECT_NE(info.output.find("RGBD /     30 /30.000"), std::string::npos) << info.output;
+    EXPECT_NE(info.output.find("pose /     30 /30.000"), std::string::npos) << info.output;
+    EXPECT_NE(info.output.find("external storage directory: k_Images"), std::string::npos)
+        << info.output;
+}
