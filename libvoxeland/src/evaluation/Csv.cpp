@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Csv.h"
+
+#include "voxeland/errors.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace voxeland
+{
+namespace
+{
+std::string trimmed(const std::string& text)
+{
+    const auto first = text.find_first_not_of(" \t\r");
+    return first == std::string::npos
+               ? ""
+               : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string> fieldsOf(const std::string& line)
+{
+    std::vector<std::string> fields(1);
+    bool quoted = false;
+    for (size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+            fields.back() += line[++i];
+        else if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            fields.emplace_back();
+        else
+            fields.back() += c;
+    }
+    for (std::string& f : fields) f = trimmed(f);
+    return fields;
+}
+
+std::string joined(const std::vector<std::string>& fields)
+{
+    std::string text;
+    for (const std::string& f : fields) text += (text.empty() ? "" : ",") + f;
+    return text;
+}
+}  // namespace
+
+std::vector<std::vector<std::string>> parseCsv(const std::string& text,
+                                               const std::vector<std::string>& header,
+                                               const std::string& source)
+{
+    std::istringstream in(text);
+    std::string line;
+    std::getline(in, line);
+    if (fieldsOf(line) != header)
+        throw InputError(source + " must begin with the line '" + joined(header) + "'.");
+    std::vector<std::vector<std::string>> rows;
+    for (size_t number = 2; std::getline(in, line); ++number) {
+        if (trimmed(line).empty()) continue;
+        rows.push_back(fieldsOf(line));
+        if (rows.back().size() != header.size())
+            throw InputError("line " + std::to_string(number) + " of " + source + " has " +
+                             std::to_string(rows.back().size()) + " fields instead of " +
+                             std::to_string(header.size()) + ".");
+    }
+    return rows;
+}
+
+std::string readInput(const std::string& file, const std::string& purpose)
+{
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError("cannot read the " + purpose + " " + file + ".");
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+}  // namespace voxeland

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/evaluation/EvaluationReport.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace voxeland
+{
+namespace
+{
+constexpr int NAME_WIDTH = 22, NUMBER_WIDTH = 7;
+
+/** A ratio in percent, or a dash. */
+std::string percent(double ratio)
+{
+    if (std::isnan(ratio)) return "-";
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << 100 * ratio;
+    return text.str();
+}
+
+std::string decimal(double value)
+{
+    if (std::isnan(value)) return "-";
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(3) << value;
+    return text.str();
+}
+
+void writeRow(std::ostream& out, const std::string& name, const std::vector<std::string>& cells)
+{
+    out << "  " << std::left << std::setw(NAME_WIDTH) << name << std::right;
+    for (const std::string& c : cells) out << std::setw(NUMBER_WIDTH) << c;
+    out << "\n";
+}
+
+void writeHeader(std::ostream& out)
+{
+    writeRow(out, "class", {"truth", "map", "AP", "AP50", "AP25", "VOC50", "PQ", "SQ", "RQ"});
+}
+
+void writeClass(std::ostream& out, const ClassMetrics& m)
+{
+    writeRow(out, m.name,
+             {std::to_string(m.objects), std::to_string(m.instances), percent(m.precision.ap),
+              percent(m.precision.ap50), percent(m.precision.ap25), percent(m.precision.voc50),
+              percent(m.pq), percent(m.sq), percent(m.rq)});
+}
+
+void writeUncertainty(std::ostream& out, const UncertaintyMetrics& u)
+{
+    out << "  category entropy:   AUROC " << decimal(u.auroc) << " against a wrong category ("
+        << u.wrong << " of " << u.judged << " matched instances are wrong)\n"
+        << "  category probability: expected calibration error " << decimal(u.calibrationError)
+        << " (10 bins)\n"
+        << "  suggested threshold: ";
+    if (u.threshold)
+        out << decimal(u.threshold->value) << " nat (Youden's J " << decimal(u.threshold->youden)
+            << ")\n";
+    else
+        out << "none, entropy does not tell right from wrong here\n";
+    out << "  instance entropy:   AUROC " << decimal(u.pointAuroc) << " against a wrong instance ("
+        << u.wrongPoints << " of " << u.judgedPoints << " points are wrong)\n";
+}
+
+void writeMetrics(std::ostream& out, const Metrics& m)
+{
+    writeHeader(out);
+    for (const ClassMetrics& c : m.classes) writeClass(out, c);
+    writeClass(out, m.mean);
+    writeClass(out, m.agnostic);
+    const SegmentationCounts& s = m.segmentation;
+    out << "  segmentation: " << s.coveredObjects << " of " << s.objects << " objects covered, "
+        << s.overSegmented << " over-segmented; " << s.underSegmented << " of " << s.instances
+        << " instances under-segmented\n";
+    writeUncertainty(out, m.uncertainty);
+}
+
+void writeProtocol(std::ostream& out, const LabelMap& labels, const EvaluationProtocol& protocol)
+{
+    const bool ignore = protocol.voidPolicy == VoidPolicy::ignore;
+    out << "Protocol\n  classes: " << labels.source() << " (";
+    for (size_t i = 0; i < labels.classes().size(); ++i)
+        out << (i > 0 ? ", " : "") << labels.classes()[i];
+    out << ")\n"
+        << "  a ground-truth point takes the instance of its voxel, else of the nearest occupied "
+           "voxel in reach\n"
+        << "  score: " << toString(protocol.score) << "; at least " << protocol.minPoints
+        << " points an instance; void " << (ignore ? "is ignored" : "counts as false positive")
+        << "\n"
+        << "  AP: ScanNet, mean over IoU > 0.50, 0.55, ... 0.90; AP50, AP25: ScanNet at one "
+           "threshold; VOC50: all-point area, IoU > 0.50\n"
+        << "  PQ, SQ, RQ: panoptic quality, IoU > 0.50; mean: over the classes with objects; "
+           "class-agnostic: all objects; all figures in percent\n";
+}
+}  // namespace
+
+EvaluationReport::EvaluationReport(LabelMap labels, const EvaluationProtocol& protocol)
+    : m_labels(std::move(labels)), m_protocol(protocol)
+{
+}
+
+void EvaluationReport::add(const Pair& pair, EvaluatedScene scene)
+{
+    m_pairs.push_back(pair);
+    m_scenes.push_back(std::move(scene));
+    m_metrics.push_back(evaluate({m_scenes.back()}, m_labels.classes(), m_protocol));
+}
+
+Metrics EvaluationReport::pooled() const
+{
+    return m_scenes.size() == 1 ? m_metrics.front()
+                                : evaluate(m_scenes, m_labels.classes(), m_protocol);
+}
+
+ClassMetrics EvaluationReport::sceneMean() const
+{
+    std::vector<ClassMetrics> means;
+    for (const Metrics& m : m_metrics) means.push_back(m.mean);
+    return meanOf(means, "mean of scene means");
+}
+
+std::string EvaluationReport::text() const
+{
+    std::ostringstream out;
+    writeProtocol(out, m_labels, m_protocol);
+    for (size_t i = 0; i < m_scenes.size(); ++i) {
+        const Pair& p = m_pairs[i];
+        out << "\nScene " << m_scenes[i].name << "\n  map " << p.map << ", ground truth " << p.truth
+            << ", reach " << decimal(p.radius) << " m, entropy '" << p.entropy << "'\n";
+        writeMetrics(out, m_metrics[i]);
+    }
+    if (m_scenes.size() < 2) return out.str();
+    out << "\nAll " << m_scenes.size() << " scenes pooled (ScanNet)\n";
+    writeMetrics(out, pooled());
+    out << "\nMean over scenes (paper)\n";
+    writeHeader(out);
+    for (size_t i = 0; i < m_scenes.size(); ++i) {
+        ClassMetrics mean = m_metrics[i].mean;
+        mean.name = m_scenes[i].name;
+        writeClass(out, mean);
+    }
+    writeClass(out, sceneMean());
+    return out.str();
+}
+
+std::string precisionCurveCsv(const std::vector<PrecisionAtThreshold>& curve)
+{
+    std::ostringstream out;
+    out << "threshold_nat,precision,instances,correct\n";
+    for (const PrecisionAtThreshold& p : curve) {
+        out << p.threshold << ",";
+        if (p.instances > 0) out << p.precision();
+        out << "," << p.instances << "," << p.correct << "\n";
+    }
+    return out.str();
+}
+}  // namespace voxeland

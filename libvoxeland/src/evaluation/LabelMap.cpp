@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/evaluation/LabelMap.h"
+
+#include "Csv.h"
+#include "voxeland/errors.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace voxeland
+{
+extern const char* const PAPER9_CSV;  // share/labels/paper9.csv, embedded by CMake
+
+namespace
+{
+std::string normalized(std::string name)
+{
+    for (char& c : name)
+        c = c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return name;
+}
+}  // namespace
+
+LabelMap::LabelMap(const std::string& csv, std::string source) : m_source(std::move(source))
+{
+    for (const auto& row : parseCsv(csv, {"name", "class"}, "the label map " + m_source)) {
+        const auto at = std::find(m_classes.begin(), m_classes.end(), row[1]);
+        const auto id = static_cast<class_id_t>(at - m_classes.begin());
+        if (at == m_classes.end()) m_classes.push_back(row[1]);
+        const auto [entry, isNew] = m_classOf.try_emplace(normalized(row[0]), id);
+        if (!isNew && entry->second != id)
+            throw InputError("the label map " + m_source + " gives '" + row[0] +
+                             "' to two classes.");
+    }
+    if (m_classes.empty()) throw InputError("the label map " + m_source + " names no class.");
+}
+
+LabelMap LabelMap::paper9()
+{
+    return LabelMap(PAPER9_CSV, "paper9");
+}
+
+LabelMap LabelMap::fromFile(const std::string& file)
+{
+    return LabelMap(readInput(file, "label map"), file);
+}
+
+class_id_t LabelMap::classOf(const std::string& name) const
+{
+    const auto at = m_classOf.find(normalized(name));
+    return at == m_classOf.end() ? NO_CLASS : at->second;
+}
+}  // namespace voxeland
