@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Makes the library's classes known to MRPT as soon as the library is loaded. */
+#include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/observations/CObservationInstances.h"
 
 #include <mrpt/core/initializer.h>
@@ -8,4 +9,5 @@
 MRPT_INITIALIZER(registerVoxelandClasses)
 {
     mrpt::rtti::registerClass(CLASS_ID(voxeland::CObservationInstances));
+    mrpt::rtti::registerClass(CLASS_ID(voxeland::CVoxelandMap));
 }

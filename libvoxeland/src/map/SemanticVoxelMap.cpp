@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/map/SemanticVoxelMap.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
 namespace voxeland
 {
@@ -11,6 +13,20 @@ SemanticVoxelMap::SemanticVoxelMap(const MapOptions& options)
     if (!(options.resolution > 0)) throw std::invalid_argument("map resolution must be positive");
     if (!(options.prior_strength >= 0))
         throw std::invalid_argument("prior_strength must not be negative");
+}
+
+void SemanticVoxelMap::setOptions(const MapOptions& options)
+{
+    const auto built = [](const MapOptions& o) {
+        return std::tuple(o.resolution, o.occupancy.prob_hit, o.occupancy.prob_miss,
+                          o.occupancy.prob_min, o.occupancy.prob_max);
+    };
+    if (!empty() && built(options) != built(m_options))
+        throw std::invalid_argument(
+            "the map was built with another resolution or occupancy model, which cannot be changed");
+    SemanticVoxelMap check(options);
+    m_options = options;
+    m_filter = check.m_filter;
 }
 
 void SemanticVoxelMap::clear()

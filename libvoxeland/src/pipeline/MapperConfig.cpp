@@ -12,8 +12,6 @@ namespace voxeland
 namespace
 {
 constexpr double INF = std::numeric_limits<double>::infinity();
-/** Sections that belong to other programs, checked there. */
-constexpr const char* DISAMBIGUATION = "disambiguation";
 
 void declare(OptionList& list, InputOptions& o)
 {
@@ -91,8 +89,7 @@ struct PluginSection
 
 void checkSections(const Ini& ini, std::vector<std::string>& problems)
 {
-    const std::vector<std::string> known = {"voxeland",    "map",        "converter",
-                                            "association", "refinement", DISAMBIGUATION};
+    const auto& known = MapperConfig::sections();
     for (const std::string& section : ini.sections()) {
         if (section.empty() || std::find(known.begin(), known.end(), section) != known.end())
             continue;
@@ -109,6 +106,13 @@ std::string joined(const std::vector<std::string>& sentences)
     return text;
 }
 }  // namespace
+
+const std::vector<std::string>& MapperConfig::sections()
+{
+    static const std::vector<std::string> names = {"voxeland",    "map",        "converter",
+                                                   "association", "refinement", "disambiguation"};
+    return names;
+}
 
 MapperConfig::MapperConfig(const Ini& ini)
 {

@@ -42,22 +42,20 @@ Ini Ini::fromText(const std::string& text, const std::string& origin)
     return ini;
 }
 
-Ini Ini::fromPrefixedSections(const mrpt::config::CConfigFileBase& source,
-                              const std::string& prefix)
+void Ini::setFromPrefixedSections(const mrpt::config::CConfigFileBase& source,
+                                  const std::string& prefix, const std::vector<std::string>& names)
 {
-    Ini ini;
-    ini.m_origin = "sections " + prefix + "_*";
-    std::vector<std::string> sections, keys;
-    source.getAllSections(sections);
-    for (const std::string& section : sections) {
-        if (section.rfind(prefix + "_", 0) != 0) continue;
+    std::vector<std::string> keys;
+    for (const std::string& name : names) {
+        const std::string section = prefix + "_" + name;
+        if (!source.sectionExists(section)) continue;
         source.getAllKeys(section, keys);
         for (const std::string& key : keys)
-            ini.m_content.write(section.substr(prefix.size() + 1), key,
-                                source.read_string(section, key, ""));
+            m_content.write(name, key, source.read_string(section, key, ""));
     }
-    return ini;
 }
+
+std::string Ini::text() const { return m_content.getContent(); }
 
 void Ini::set(const std::string& assignment)
 {

@@ -36,6 +36,10 @@ class SemanticVoxelMap
     explicit SemanticVoxelMap(const MapOptions& options = MapOptions());
 
     [[nodiscard]] const MapOptions& options() const { return m_options; }
+    /** Changes the options that only queries use (prior, entropy), and all of them while the map is empty.
+     *  \throws std::invalid_argument for options out of range, or another resolution or occupancy
+     *  model than the map was built with */
+    void setOptions(const MapOptions& options);
     [[nodiscard]] double resolution() const { return m_options.resolution; }
     [[nodiscard]] const OccupancyFilter& occupancyFilter() const { return m_filter; }
     [[nodiscard]] bool empty() const { return m_blocks.size() == 0; }

@@ -47,6 +47,9 @@ class MapperConfig
      * a plugin cannot be used */
     explicit MapperConfig(const Ini& ini = Ini());
 
+    /** Names of all sections an INI may have. */
+    static const std::vector<std::string>& sections();
+
     InputOptions input;
     MapOptions map;
     IntegrationOptions integration;

@@ -12,6 +12,8 @@ struct MappingCounts
     uint32_t frames = 0;                    //!< frames integrated
     uint32_t framesWithoutPredictions = 0;  //!< of those, frames mapped without any opinion source
     uint32_t opinions = 0;                  //!< opinions integrated
+    uint32_t framesWithoutPose = 0;         //!< frames skipped: no valid pose was known for them
+    uint32_t predictionsWithoutFrame = 0;   //!< predictions left out: no frame of their timestamp
 };
 
 /** The paper's loop: turns frames into a semantic voxel map. */

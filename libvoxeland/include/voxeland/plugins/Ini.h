@@ -18,9 +18,10 @@ class Ini
     static Ini fromFile(const std::string& file);
     /** \param origin what to call it in messages \throws ConfigurationError if it is not an INI */
     static Ini fromText(const std::string& text, const std::string& origin);
-    /** The sections called `<prefix>_<name>` of another program's INI, without the prefix. */
-    static Ini fromPrefixedSections(const mrpt::config::CConfigFileBase& source,
-                                    const std::string& prefix);
+    /** Takes over the sections called `<prefix>_<name>` of another program's INI.
+     *  \param names the names to look for */
+    void setFromPrefixedSections(const mrpt::config::CConfigFileBase& source,
+                                 const std::string& prefix, const std::vector<std::string>& names);
 
     /** Applies `section.key=value`, as given on a command line.
      *  \throws ConfigurationError if the text has another form */
@@ -30,6 +31,8 @@ class Ini
     [[nodiscard]] const std::string& origin() const { return m_origin; }
     /** Folder of the file, absolute; empty if it did not come from one. */
     [[nodiscard]] const std::string& folder() const { return m_folder; }
+    /** Everything as text. */
+    [[nodiscard]] std::string text() const;
     [[nodiscard]] std::vector<std::string> sections() const;
     [[nodiscard]] std::vector<std::string> keys(const std::string& section) const;
     /** Value of a key that is there. */

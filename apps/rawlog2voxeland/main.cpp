@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Makes a semantic voxel map from a rawlog. */
+#include <iostream>
+#include <limits>
+
+#include "common/CommandLine.h"
+#include "common/Progress.h"
+#include "voxeland/errors.h"
+#include "voxeland/io/AnswersAsText.h"
+#include "voxeland/io/AtomicFile.h"
+#include "voxeland/io/ExportAll.h"
+#include "voxeland/metric_map/MapFile.h"
+#include "voxeland/metric_map/RawlogMapping.h"
+#include "voxeland/pipeline/TimingLog.h"
+#include "voxeland/plugins/PluginLoader.h"
+
+using namespace voxeland;
+
+namespace
+{
+const char* const DESCRIPTION =
+    R"(Makes a semantic voxel map with uncertainty from a rawlog of RGB-D frames and predictions.
+
+  rawlog2voxeland -i kitchen.rawlog -o kitchen.voxeland --export-dir kitchen
+  rawlog2voxeland -i robot.rawlog -o map.voxeland --poses robot.tum --set map.resolution=0.03
+  rawlog2voxeland -i part2.rawlog -o whole.voxeland --resume part1.voxeland
+  rawlog2voxeland --dump-config > my.ini
+
+Without -c the defaults hold: predictions recorded in the rawlog or in NAME.instances.rawlog beside it,
+the paper's association, 5 cm voxels. --dump-config prints all keys of the INI with their meaning.
+Exit codes: 0 done, 1 usage or configuration, 2 plugin, 3 input, 4 nothing to map, 5 output.)";
+
+/** The program's command line. */
+struct Arguments : apps::CommandLine
+{
+    Arguments() : CommandLine(DESCRIPTION) {}
+
+    TCLAP::SwitchArg listPlugins{"", "list-plugins", "Print the plugins that are there, and end",
+                                 parser()};
+    TCLAP::SwitchArg checkConfig{"", "check-config", "Check the configuration, and end", parser()};
+    TCLAP::SwitchArg dumpConfig{"", "dump-config", "Print the effective configuration as an INI, and end",
+                                parser()};
+    TCLAP::ValueArg<std::string> timing{
+        "", "timing", "Write each frame's CPU time per stage [ms]", false, "", "FILE.csv", parser()};
+    TCLAP::ValueArg<std::string> resume{"",    "resume", "Go on with this map instead of an empty one",
+                                        false, "",       "MAP.voxeland", parser()};
+    TCLAP::MultiArg<std::string> set{"", "set", "Set a key of the configuration; may be repeated", false,
+                                     "section.key=value", parser()};
+    TCLAP::ValueArg<uint32_t> every{"",    "every", "Use one frame in so many (default: 1)",
+                                    false, 1,       "N", parser()};
+    TCLAP::ValueArg<uint32_t> to{"",    "to", "Last frame to use, by number (default: the last)",
+                                 false, std::numeric_limits<uint32_t>::max(), "N", parser()};
+    TCLAP::ValueArg<uint32_t> from{"", "from", "First frame to use, by number (default: 0)", false, 0, "N",
+                                   parser()};
+    TCLAP::ValueArg<std::string> exportDir{
+        "",    "export-dir", "Also write PLY, JSON, CSV and pictures of the map into this folder",
+        false, "",           "DIR", parser()};
+    TCLAP::ValueArg<std::string> poses{
+        "", "poses", "Trajectory of the robot in TUM format, instead of the rawlog's poses", false, "",
+        "FILE.tum", parser()};
+    TCLAP::ValueArg<std::string> output{"o", "output", "Map to write", false, "", "MAP.voxeland",
+                                        parser()};
+    TCLAP::ValueArg<std::string> input{"i", "input", "Rawlog or simplemap to read", false, "",
+                                       "FILE.rawlog", parser()};
+    TCLAP::ValueArg<std::string> config{"c",   "config", "Configuration (default: all defaults)",
+                                        false, "",       "FILE.ini", parser()};
+};
+
+/** The INI to use: that of the command line, that of the map to resume, or defaults. */
+Ini configuration(Arguments& arguments, const CVoxelandMap* resumed)
+{
+    Ini ini;
+    if (arguments.config.isSet())
+        ini = Ini::fromFile(arguments.config.getValue());
+    else if (resumed != nullptr)
+        ini = Ini::fromText(resumed->configText(), arguments.resume.getValue());
+    if (arguments.poses.isSet()) ini.set("voxeland.pose_source=tum:" + arguments.poses.getValue());
+    for (const std::string& assignment : arguments.set.getValue()) ini.set(assignment);
+    return ini;
+}
+
+void printSummary(const CVoxelandMap& map, const TimingLog& timing)
+{
+    const MappingCounts& n = map.counts();
+    std::cout << asText(overviewOf(map.map()));
+    std::cout << "frames: " << n.frames << " mapped";
+    if (n.framesWithoutPredictions > 0)
+        std::cout << " (" << n.framesWithoutPredictions << " without predictions)";
+    if (n.framesWithoutPose > 0) std::cout << ", " << n.framesWithoutPose << " skipped without a pose";
+    std::cout << "; opinions: " << n.opinions << "\n";
+    if (n.predictionsWithoutFrame > 0)
+        std::cout << "predictions of " << n.predictionsWithoutFrame << " frames that are not there\n";
+    timing.printSummary(std::cout);
+}
+
+int makeMap(Arguments& arguments)
+{
+    std::shared_ptr<CVoxelandMap> map = std::make_shared<CVoxelandMap>();
+    const bool resumes = arguments.resume.isSet();
+    if (resumes) map = loadMap(arguments.resume.getValue());
+    const MapperConfig config(configuration(arguments, resumes ? map.get() : nullptr));
+    if (arguments.dumpConfig.isSet()) {
+        std::cout << config.text();
+        return 0;
+    }
+    if (arguments.checkConfig.isSet()) {
+        std::cout << "the configuration is valid\n";
+        return 0;
+    }
+    if (!arguments.input.isSet() || !arguments.output.isSet())
+        throw ConfigurationError("give a rawlog with -i and a map to write with -o (see --help)");
+    if (arguments.every.getValue() == 0 || arguments.from.getValue() > arguments.to.getValue())
+        throw ConfigurationError("--every must be at least 1 and --from not beyond --to");
+    map->setConfig(config);
+    const AtomicFile checkedOutput(arguments.output.getValue());  // complain before the work
+
+    RawlogFrameSource source(
+        arguments.input.getValue(), config.input,
+        {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()});
+    TimingLog timing;
+    {
+        apps::Progress progress("frames", 0, !arguments.quiet());
+        size_t done = 0;
+        mapRawlog(source, *map, [&](const StageTimes& times) {
+            timing.add(times);
+            progress.update(++done, source.progress());
+        });
+    }
+    saveMap(*map, arguments.output.getValue());
+    if (arguments.exportDir.isSet()) exportAll(map->map(), arguments.exportDir.getValue());
+    if (arguments.timing.isSet())
+        writeAtomically(arguments.timing.getValue(), [&](std::ostream& out) { timing.writeCsv(out); });
+    printSummary(*map, timing);
+    return 0;
+}
+
+int run(int argc, char** argv)
+{
+    Arguments arguments;
+    if (!arguments.parse(argc, argv)) return 0;
+    if (arguments.listPlugins.isSet()) {
+        const Ini ini = configuration(arguments, nullptr);
+        listPlugins(std::cout, pluginSearchPath(ini.folder()));
+        return 0;
+    }
+    return makeMap(arguments);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return apps::runProgram("rawlog2voxeland", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "voxeland/observations/FrameAssembler.h"
+#include "voxeland/pipeline/MapperConfig.h"
+
+namespace mrpt::obs
+{
+class CObservation;
+}
+namespace mrpt::serialization
+{
+class CSerializable;
+}
+
+namespace voxeland
+{
+class GzInputFile;
+
+/** Which RGB-D frames of a rawlog to use, numbered from 0 as they are in it. */
+struct FrameRange
+{
+    uint32_t from = 0;             //!< first frame
+    uint32_t to = UINT32_MAX;      //!< last frame, included
+    uint32_t every = 1;            //!< of those, one in so many; >= 1
+};
+
+/** Reads frames with poses and predictions from a rawlog (observations or sensory frames with actions) or a
+ *  .simplemap, as a stream: memory does not grow with the file. Predictions in the sidecar
+ *  `<name>.instances.rawlog` and images in `<name>_Images` are found beside it. */
+class RawlogFrameSource
+{
+   public:
+    /** \throws InputError if a file cannot be read, ConfigurationError for an unknown pose source */
+    RawlogFrameSource(const std::string& file, const InputOptions& options, const FrameRange& range);
+    ~RawlogFrameSource();
+
+    /** The next frame, or none at the end.
+     *  \throws InputError, naming the file, if it is cut off or damaged */
+    std::optional<RgbdFrame> next();
+
+    /** Share of the file read so far, in [0,1]. */
+    [[nodiscard]] double progress() const;
+    /** RGB-D frames met so far, whether used or not. */
+    [[nodiscard]] uint32_t framesMet() const { return m_framesMet; }
+    [[nodiscard]] const FrameAssembler::Counts& skipped() const { return m_assembler.counts(); }
+
+   private:
+    /** Gives what the next object of the file holds to the assembler; false at the end. */
+    bool readOn();
+    void take(const std::shared_ptr<mrpt::serialization::CSerializable>& object);
+    void takeObservation(const std::shared_ptr<mrpt::obs::CObservation>& observation);
+    void takeScan(const std::shared_ptr<mrpt::obs::CObservation>& observation);
+    /** Gives the assembler the sidecar's predictions up to a time. */
+    void readSidecar(const mrpt::Clock::time_point& until);
+
+    std::string m_file;
+    InputOptions m_options;
+    FrameRange m_range;
+    std::unique_ptr<GzInputFile> m_input, m_sidecar;
+    std::shared_ptr<CObservationInstances> m_nextOfSidecar;
+    FrameAssembler m_assembler;
+    mrpt::poses::CPose3D m_actionsPose;  //!< where the actions so far have led
+    uint32_t m_framesMet = 0;
+    bool m_beyondRange = false, m_finished = false;
+};
+}  // namespace voxeland

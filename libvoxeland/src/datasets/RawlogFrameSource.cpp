@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/datasets/RawlogFrameSource.h"
+
+#include <mrpt/img/CImage.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CActionRobotMovement3D.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/obs/CSensoryFrame.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "voxeland/errors.h"
+#include "voxeland/io/GzInputFile.h"
+#include "voxeland/io/RawlogFiles.h"
+
+using namespace mrpt::obs;
+namespace fs = std::filesystem;
+
+namespace voxeland
+{
+namespace
+{
+constexpr const char* TUM = "tum:";
+constexpr std::array<const char*, 4> POSE_SOURCES = {"robot_pose", "odometry", "actions", "simplemap"};
+
+PoseTrack initialPoses(const InputOptions& options)
+{
+    const std::string& source = options.pose_source;
+    if (source.rfind(TUM, 0) == 0)
+        return PoseTrack::fromTumFile(source.substr(std::string(TUM).size()), options.max_pose_gap);
+    if (std::find(POSE_SOURCES.begin(), POSE_SOURCES.end(), source) == POSE_SOURCES.end())
+        throw ConfigurationError("[voxeland] pose_source = '" + source +
+                                 "' is not one of robot_pose, odometry, actions, simplemap, tum:<file>");
+    return PoseTrack(options.max_pose_gap);
+}
+
+/** Increment of the robot's pose in an action; none if it holds no movement. */
+mrpt::poses::CPose3D movement(const CActionCollection& actions)
+{
+    if (const auto in3D = actions.getActionByClass<CActionRobotMovement3D>())
+        return in3D->poseChange.getMeanVal();
+    if (const auto in2D = actions.getBestMovementEstimation())
+        return mrpt::poses::CPose3D(in2D->poseChange->getMeanVal());
+    return {};
+}
+}  // namespace
+
+RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions& options,
+                                     const FrameRange& range)
+    : m_file(file),
+      m_options(options),
+      m_range(range),
+      m_input(std::make_unique<GzInputFile>(file)),
+      m_assembler(options.prediction_wait, initialPoses(options))
+{
+    if (fs::path(file).extension() != ".rawlog") return;  // a simplemap holds everything
+    const RawlogFiles files(file);
+    if (fs::exists(files.sidecar)) m_sidecar = std::make_unique<GzInputFile>(files.sidecar.string());
+    // MRPT keeps this path for the whole process.
+    if (fs::is_directory(files.images))
+        mrpt::img::CImage::setImagesPathBase(fs::absolute(files.images).string());
+}
+
+RawlogFrameSource::~RawlogFrameSource() = default;
+
+std::optional<RgbdFrame> RawlogFrameSource::next()
+{
+    for (;;) {
+        if (auto frame = m_assembler.next()) return frame;
+        if (m_finished) return std::nullopt;
+        if (m_beyondRange || !readOn()) {
+            m_finished = true;
+            m_assembler.finish();
+        }
+    }
+}
+
+double RawlogFrameSource::progress() const { return m_input->progress(); }
+
+bool RawlogFrameSource::readOn()
+{
+    const auto object = m_input->readObject();
+    if (!object) return false;
+    take(object);
+    return true;
+}
+
+void RawlogFrameSource::take(const mrpt::serialization::CSerializable::Ptr& object)
+{
+    if (const auto observation = std::dynamic_pointer_cast<CObservation>(object)) {
+        takeObservation(observation);
+    } else if (const auto actions = std::dynamic_pointer_cast<CActionCollection>(object)) {
+        m_actionsPose = m_actionsPose + movement(*actions);
+    } else if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object)) {
+        for (const auto& o : *frame) {
+            if (m_options.pose_source == "actions")
+                m_assembler.addPose(o->timestamp, m_actionsPose.asTPose());
+            takeObservation(o);
+        }
+    } else if (const auto map = std::dynamic_pointer_cast<mrpt::maps::CSimpleMap>(object)) {
+        for (size_t i = 0; i < map->size(); ++i) {
+            mrpt::poses::CPose3DPDF::Ptr pose;
+            CSensoryFrame::Ptr sensed;
+            map->get(i, pose, sensed);
+            for (const auto& o : *sensed) {
+                m_assembler.addPose(o->timestamp, pose->getMeanVal().asTPose());
+                takeObservation(o);
+            }
+        }
+    }
+}
+
+void RawlogFrameSource::takeObservation(const CObservation::Ptr& observation)
+{
+    const std::string& source = m_options.pose_source;
+    if (const auto pose = std::dynamic_pointer_cast<CObservationRobotPose>(observation)) {
+        if (source == "robot_pose")
+            m_assembler.addPose(pose->timestamp,
+                                (pose->pose.mean + (mrpt::poses::CPose3D() - pose->sensorPose)).asTPose());
+    } else if (const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation)) {
+        if (source == "odometry")
+            m_assembler.addPose(odometry->timestamp,
+                                mrpt::poses::CPose3D(odometry->odometry).asTPose());
+    } else if (const auto predictions = std::dynamic_pointer_cast<CObservationInstances>(observation)) {
+        const std::string& label = m_options.instances_sensor_label;
+        if (label.empty() || label == predictions->sensorLabel) m_assembler.addInstances(predictions);
+    } else if (std::dynamic_pointer_cast<CObservation3DRangeScan>(observation)) {
+        takeScan(observation);
+    }
+}
+
+void RawlogFrameSource::takeScan(const CObservation::Ptr& observation)
+{
+    std::string& label = m_options.depth_sensor_label;
+    if (label.empty()) label = observation->sensorLabel;
+    if (label != observation->sensorLabel) return;
+    const uint32_t number = m_framesMet++;
+    m_beyondRange = number > m_range.to;
+    const bool wanted = number >= m_range.from && !m_beyondRange &&
+                        (number - m_range.from) % m_range.every == 0;
+    if (!wanted) return;
+    readSidecar(observation->timestamp);
+    m_assembler.addScan(std::dynamic_pointer_cast<CObservation3DRangeScan>(observation));
+}
+
+void RawlogFrameSource::readSidecar(const mrpt::Clock::time_point& until)
+{
+    while (m_sidecar) {
+        if (!m_nextOfSidecar) {
+            const auto object = m_sidecar->readObject();
+            if (!object) m_sidecar.reset();
+            m_nextOfSidecar = std::dynamic_pointer_cast<CObservationInstances>(object);
+        }
+        if (!m_nextOfSidecar) continue;
+        if (m_nextOfSidecar->timestamp > until) return;
+        if (m_nextOfSidecar->timestamp == until) m_assembler.addInstances(m_nextOfSidecar);
+        m_nextOfSidecar.reset();
+    }
+}
+}  // namespace voxeland

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/metric_map/CVoxelandMap.h"
+
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/opengl/COctoMapVoxels.h>
+#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <sstream>
+
+#include "voxeland/errors.h"
+#include "voxeland/io/Colors.h"
+#include "voxeland/metric_map/MapFile.h"
+
+using mrpt::obs::CObservation;
+using mrpt::obs::CObservation3DRangeScan;
+using mrpt::poses::CPose3D;
+
+namespace voxeland
+{
+IMPLEMENTS_SERIALIZABLE(CVoxelandMap, mrpt::maps::CMetricMap, voxeland)
+
+CVoxelandMap::CVoxelandMap()
+    : m_assembler(InputOptions().prediction_wait, PoseTrack(InputOptions().max_pose_gap))
+{
+}
+
+CVoxelandMap::CVoxelandMap(const MapperConfig& config) : CVoxelandMap() { setConfig(config); }
+
+void CVoxelandMap::setConfig(const MapperConfig& config)
+{
+    try {
+        m_map.setOptions(config.map);
+    } catch (const std::invalid_argument& e) {
+        throw ConfigurationError(std::string("[map] ") + e.what());
+    }
+    m_configText = config.reproducibleText();
+    m_mapper.emplace(config);
+    if (m_assembler.empty())
+        m_assembler =
+            FrameAssembler(config.input.prediction_wait, PoseTrack(config.input.max_pose_gap));
+}
+
+const SemanticMapper& CVoxelandMap::mapper()
+{
+    if (!m_mapper) setConfig(MapperConfig(Ini::fromText(m_configText, "the map's configuration")));
+    return *m_mapper;
+}
+
+StageTimes CVoxelandMap::integrate(PreparedFrame frame)
+{
+    mapper();
+    m_points.reset();
+    return m_mapper->integrate(std::move(frame), m_map, m_counts);
+}
+
+void CVoxelandMap::flush()
+{
+    m_assembler.finish();
+    mapCompleteFrames();
+    const auto skipped = m_assembler.counts();
+    m_assembler = FrameAssembler(mapper().config().input.prediction_wait,
+                                 PoseTrack(mapper().config().input.max_pose_gap));
+    addSkipped(skipped);
+}
+
+void CVoxelandMap::addSkipped(const FrameAssembler::Counts& skipped)
+{
+    m_counts.framesWithoutPose += skipped.framesWithoutPose;
+    m_counts.predictionsWithoutFrame += skipped.predictionsWithoutFrame;
+}
+
+void CVoxelandMap::mapCompleteFrames()
+{
+    while (const auto frame = m_assembler.next()) integrate(mapper().prepare(*frame));
+}
+
+void CVoxelandMap::internal_clear()
+{
+    m_map.clear();
+    m_counts = {};
+    m_points.reset();
+    m_assembler = FrameAssembler(InputOptions().prediction_wait, PoseTrack(InputOptions().max_pose_gap));
+}
+
+bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
+                                              const std::optional<const CPose3D>& robotPose)
+{
+    const InputOptions& input = mapper().config().input;
+    const auto wanted = [&](const std::string& label) {
+        return label.empty() || label == observation.sensorLabel;
+    };
+    if (const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation)) {
+        if (!wanted(input.depth_sensor_label)) return false;
+        m_assembler.addPose(scan->timestamp, robotPose.value_or(CPose3D()).asTPose());
+        m_assembler.addScan(std::make_shared<CObservation3DRangeScan>(*scan));
+    } else if (const auto* instances = dynamic_cast<const CObservationInstances*>(&observation)) {
+        if (!wanted(input.instances_sensor_label)) return false;
+        m_assembler.addInstances(std::make_shared<CObservationInstances>(*instances));
+    } else {
+        return false;
+    }
+    mapCompleteFrames();
+    return true;
+}
+
+std::string CVoxelandMap::asString() const
+{
+    std::ostringstream text;
+    text << "voxeland map: " << m_map.instances().size() << " instances of "
+         << m_map.categories().size() << " categories, " << m_counts.frames << " frames, voxels of "
+         << m_map.resolution() << " m";
+    return text.str();
+}
+
+void CVoxelandMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const
+{
+    if (!genericMapParams.enableSaveAs3DObject) return;
+    const auto voxels = mrpt::opengl::COctoMapVoxels::Create();
+    voxels->setVisualizationMode(mrpt::opengl::COctoMapVoxels::FIXED);
+    voxels->resizeVoxelSets(1);
+    voxels->showVoxels(0, true);
+    mrpt::math::TPoint3D least(0, 0, 0), most(0, 0, 0);
+    m_map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
+        const auto center = voxelCenter<mrpt::math::TPoint3D>(v, m_map.resolution());
+        const Color c = instanceColor(evidence.winner());
+        voxels->push_back_Voxel(
+            0, {mrpt::math::TPoint3Df(center), static_cast<float>(m_map.resolution()),
+                mrpt::img::TColor(c.red, c.green, c.blue)});
+        for (size_t a = 0; a < 3; ++a) {
+            least[a] = std::min(least[a], center[a]);
+            most[a] = std::max(most[a], center[a]);
+        }
+    });
+    voxels->setBoundingBox(least, most);
+    out.insert(voxels);
+}
+
+void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) const
+{
+    CVoxelandMap complete(*this);
+    complete.flush();
+    saveMap(complete, prefix + ".voxeland");
+    if (!genericMapParams.enableSaveAs3DObject) return;
+    mrpt::opengl::COpenGLScene scene;
+    const auto objects = mrpt::opengl::CSetOfObjects::Create();
+    complete.getVisualizationInto(*objects);
+    scene.insert(objects);
+    if (!scene.saveToFile(prefix + ".3Dscene"))
+        throw OutputError("cannot write '" + prefix + ".3Dscene': check the folder and the free space");
+}
+
+const mrpt::maps::CSimplePointsMap* CVoxelandMap::getAsSimplePointsMap() const
+{
+    if (!m_points) {
+        m_points = std::make_shared<mrpt::maps::CSimplePointsMap>();
+        m_map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence&) {
+            const auto p = voxelCenter<mrpt::math::TPoint3Df>(v, m_map.resolution());
+            m_points->insertPoint(p.x, p.y, p.z);
+        });
+    }
+    return m_points.get();
+}
+}  // namespace voxeland

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/metric_map/RawlogMapping.h"
+
+#include "voxeland/errors.h"
+#include "voxeland/pipeline/FramePreparer.h"
+
+namespace voxeland
+{
+namespace
+{
+void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
+{
+    if (mapped) return;
+    if (source.framesMet() == 0)
+        throw NothingToMapError("the rawlog holds no CObservation3DRangeScan of the sensor to map: check "
+                                "depth_sensor_label");
+    if (source.skipped().framesWithoutPose == 0)
+        throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
+                                " frames is in the range asked for");
+    throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
+                            " frames has a pose: check pose_source, or give a trajectory with --poses");
+}
+}  // namespace
+
+void mapRawlog(RawlogFrameSource& source, CVoxelandMap& map,
+               const std::function<void(const StageTimes&)>& onFrame)
+{
+    bool mapped = false;
+    {
+        const SemanticMapper& mapper = map.mapper();
+        FramePreparer preparer(mapper, [&] { return source.next(); }, mapper.config().input.threads);
+        while (auto frame = preparer.next()) {
+            onFrame(map.integrate(std::move(*frame)));
+            mapped = true;
+        }
+    }
+    checkSomethingMapped(source, mapped);
+    map.addSkipped(source.skipped());
+}
+}  // namespace voxeland

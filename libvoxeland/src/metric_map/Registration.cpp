@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** How MRPT's programs create a CVoxelandMap from their INI, and how it is serialized. */
+#include <mrpt/serialization/CArchive.h>
+
+#include <ostream>
+
+#include "voxeland/metric_map/CVoxelandMap.h"
+
+namespace voxeland
+{
+MAP_DEFINITION_REGISTER("voxeland::CVoxelandMap,voxelandMap", voxeland::CVoxelandMap)
+
+CVoxelandMap::TMapDefinition::TMapDefinition() = default;
+
+void CVoxelandMap::TMapDefinition::loadFromConfigFile_map_specific(
+    const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
+{
+    const std::string file = source.read_string(sectionNamePrefix + "_creationOpts", "config", "");
+    Ini all = file.empty() ? Ini() : Ini::fromFile(file);
+    all.setFromPrefixedSections(source, sectionNamePrefix, MapperConfig::sections());
+    ini = MapperConfig(all).reproducibleText();
+}
+
+void CVoxelandMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
+{
+    out << ini;
+}
+
+VOXELAND_MAP_FACTORY_RESULT CVoxelandMap::internal_CreateFromMapDefinition(
+    const mrpt::maps::TMetricMapInitializer& definition)
+{
+    const auto& d = dynamic_cast<const CVoxelandMap::TMapDefinition&>(definition);
+    const MapperConfig config(Ini::fromText(d.ini, "the map's definition"));
+    auto map = std::make_unique<CVoxelandMap>(config);
+#if MRPT_VERSION >= 0x020d00
+    return VOXELAND_MAP_FACTORY_RESULT(std::move(map));
+#else
+    return map.release();
+#endif
+}
+
+uint8_t CVoxelandMap::serializeGetVersion() const { return 0; }
+
+void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
+{
+    out << m_configText << m_counts.frames << m_counts.framesWithoutPredictions
+        << m_counts.framesWithoutPose << m_counts.predictionsWithoutFrame << m_counts.opinions;
+    m_map.writeTo(out);
+    m_assembler.writeTo(out);
+    out << genericMapParams;
+}
+
+void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
+{
+    if (version != 0) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
+    CVoxelandMap read;
+    in >> read.m_configText >> read.m_counts.frames >> read.m_counts.framesWithoutPredictions >>
+        read.m_counts.framesWithoutPose >> read.m_counts.predictionsWithoutFrame >>
+        read.m_counts.opinions;
+    read.m_map.readFrom(in);
+    read.m_assembler.readFrom(in);
+    in >> read.genericMapParams;
+    *this = std::move(read);
+}
+}  // namespace voxeland

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/observations/FrameAssembler.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/serialization/CArchive.h>
+
+using mrpt::obs::CObservation3DRangeScan;
+
+namespace voxeland
+{
+void FrameAssembler::addScan(std::shared_ptr<const CObservation3DRangeScan> scan)
+{
+    m_scans.push_back(std::move(scan));
+}
+
+void FrameAssembler::addInstances(std::shared_ptr<const CObservationInstances> instances)
+{
+    m_instances[instances->timestamp] = std::move(instances);
+}
+
+std::optional<RgbdFrame> FrameAssembler::next()
+{
+    while (!m_scans.empty()) {
+        const auto& scan = m_scans.front();
+        const auto pose = m_poses.at(scan->timestamp);
+        const auto instances = m_instances.find(scan->timestamp);
+        const bool complete = pose && instances != m_instances.end();
+        if (!complete && !m_finished && m_scans.size() <= m_patience) return std::nullopt;
+
+        RgbdFrame frame;
+        frame.scan = scan;
+        if (instances != m_instances.end()) {
+            frame.instances = instances->second;
+            m_instances.erase(instances);
+        }
+        forgetOld(scan->timestamp);
+        m_scans.pop_front();
+        if (pose) frame.robotPose = mrpt::poses::CPose3D(*pose);
+        if (pose && isValidPose(frame.robotPose)) return frame;
+        ++m_counts.framesWithoutPose;
+    }
+    if (m_finished) {
+        m_counts.predictionsWithoutFrame += static_cast<uint32_t>(m_instances.size());
+        m_instances.clear();
+    }
+    return std::nullopt;
+}
+
+void FrameAssembler::forgetOld(const mrpt::Clock::time_point& now)
+{
+    // Sensors that share a rawlog may be out of order by a little.
+    m_poses.forgetBefore(now - std::chrono::seconds(10));
+    // Predictions may run ahead of their scans, but not by more than scans wait for them.
+    while (m_instances.size() > m_patience + 1) {
+        m_instances.erase(m_instances.begin());
+        ++m_counts.predictionsWithoutFrame;
+    }
+}
+
+void FrameAssembler::writeTo(mrpt::serialization::CArchive& out) const
+{
+    out << static_cast<uint32_t>(m_scans.size());
+    for (const auto& scan : m_scans) {
+        const auto pose = m_poses.at(scan->timestamp);
+        out << *scan << pose.has_value() << pose.value_or(mrpt::math::TPose3D());
+    }
+    out << static_cast<uint32_t>(m_instances.size());
+    for (const auto& [time, instances] : m_instances) out << *instances;
+}
+
+void FrameAssembler::readFrom(mrpt::serialization::CArchive& in)
+{
+    m_scans.clear();
+    m_instances.clear();
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
+        const auto scan = in.ReadObject<CObservation3DRangeScan>();
+        const bool hasPose = in.ReadAs<bool>();
+        mrpt::math::TPose3D pose;
+        in >> pose;
+        if (hasPose) addPose(scan->timestamp, pose);
+        addScan(scan);
+    }
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n)
+        addInstances(in.ReadObject<CObservationInstances>());
+}
+}  // namespace voxeland

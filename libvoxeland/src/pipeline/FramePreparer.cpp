@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/pipeline/FramePreparer.h"
+
+namespace voxeland
+{
+FramePreparer::FramePreparer(const SemanticMapper& mapper, Source source, unsigned threads)
+    : m_mapper(mapper), m_source(std::move(source))
+{
+    if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+    if (threads == 1) return;
+    m_capacity = 2 * threads;
+    for (unsigned i = 0; i < threads; ++i) m_workers.emplace_back([this] { work(); });
+}
+
+FramePreparer::~FramePreparer()
+{
+    {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_stop = true;
+    }
+    m_changed.notify_all();
+    for (std::thread& worker : m_workers) worker.join();
+}
+
+std::optional<PreparedFrame> FramePreparer::next()
+{
+    if (m_workers.empty()) {
+        const auto frame = m_source();
+        if (!frame) return std::nullopt;
+        return m_mapper.prepare(*frame);
+    }
+    std::unique_lock<std::mutex> lock(m_mutex);
+    m_changed.wait(lock, [this] { return m_ready.count(m_nextWanted) != 0; });
+    Result& result = m_ready[m_nextWanted];
+    if (result.error) std::rethrow_exception(result.error);
+    if (!result.frame) return std::nullopt;
+    auto frame = m_ready.extract(m_nextWanted++);
+    m_changed.notify_all();
+    return std::move(frame.mapped().frame);
+}
+
+void FramePreparer::work()
+{
+    for (;;) {
+        size_t ticket = 0;
+        std::optional<RgbdFrame> frame;
+        Result result;
+        {
+            const std::lock_guard<std::mutex> reading(m_reading);
+            {
+                std::unique_lock<std::mutex> lock(m_mutex);
+                m_changed.wait(lock,
+                               [this] { return m_stop || m_nextTicket < m_nextWanted + m_capacity; });
+                if (m_stop) return;
+                ticket = m_nextTicket++;
+            }
+            try {
+                frame = m_source();
+            } catch (...) {
+                result.error = std::current_exception();
+            }
+        }
+        const bool isLast = !frame;
+        if (frame) {
+            try {
+                result.frame = m_mapper.prepare(*frame);
+            } catch (...) {
+                result.error = std::current_exception();
+            }
+        }
+        {
+            const std::lock_guard<std::mutex> lock(m_mutex);
+            m_ready[ticket] = std::move(result);
+        }
+        m_changed.notify_all();
+        if (isLast) return;
+    }
+}
+}  // namespace voxeland
