@@ -30,7 +30,7 @@ instance_id_t addObject(SemanticVoxelMap& map, const std::string& category, cons
 
 TEST(MapAnswers, overview)
 {
-    const MapOverview o = overviewOf(tinyMap());
+    const MapOverview o = overviewOf(tinyMap(), {});
     EXPECT_EQ(o.observedVoxels, 4U);
     EXPECT_EQ(o.occupiedVoxels, 3U);
     EXPECT_EQ(o.instances, 2U);
@@ -38,7 +38,7 @@ TEST(MapAnswers, overview)
     EXPECT_NEAR(o.boxMin.x, -0.1, 1e-9);
     EXPECT_NEAR(o.boxMax.x, 0.2, 1e-9);
     EXPECT_NEAR(o.boxMax.z, 0.1, 1e-9);
-    const MapOverview nothing = overviewOf(SemanticVoxelMap());
+    const MapOverview nothing = overviewOf(SemanticVoxelMap(), {});
     EXPECT_EQ(nothing.occupiedVoxels, 0U);
     EXPECT_EQ(nothing.boxMax.x, 0);
 }
@@ -113,13 +113,16 @@ TEST(MapAnswers, textNamesWhatMatters)
     const std::string place = asText(askPlace(map, {0.05, 0.05, 0.05}));
     for (const char* word : {"0.909", "10.00", "chair", "0.935"})
         EXPECT_NE(place.find(word), std::string::npos) << word << " in\n" << place;
-    EXPECT_NE(asText(overviewOf(map)).find("1 cup"), std::string::npos);
+    EXPECT_NE(asText(overviewOf(map, {})).find("1 cup"), std::string::npos);
 }
 
 TEST(MapAnswers, theSameAsJson)
 {
     const SemanticVoxelMap map = tinyMap();
-    const json overview = json::parse(asJson(map, overviewOf(map)));
+    MappingCounts counts;
+    counts.frames = 7;
+    const json overview = json::parse(asJson(map, overviewOf(map, counts)));
+    EXPECT_EQ(overview["frames"], 7);
     EXPECT_EQ(overview["occupied_voxels"], 3);
     EXPECT_EQ(overview["categories"], (json{{"chair", 1}, {"cup", 1}}));
     const json found = json::parse(asJson(map, findInstances(map, "cup", {0.15, 0.05, 3.05})));

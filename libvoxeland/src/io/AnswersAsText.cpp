@@ -37,7 +37,10 @@ std::string asText(const MapOverview& o)
     text += format("memory         %.1f MB; %.1f bytes a free voxel, %.1f a surface voxel\n",
                    static_cast<double>(o.memory.bytes) / 1e6, o.memory.bytesPerFreeVoxel(),
                    o.memory.bytesPerSurfaceVoxel());
-    text += format("instances      %zu\n", o.instances);
+    text += format(
+        "frames         %u mapped, %u of them without predictions, %u left out without pose\n",
+        o.counts.frames, o.counts.framesWithoutPredictions, o.counts.framesWithoutPose);
+    text += format("instances      %zu, from %u opinions\n", o.instances, o.counts.opinions);
     for (const auto& [name, count] : o.categories)
         text += format("               %u %s\n", count, name.c_str());
     return text;

@@ -28,9 +28,10 @@ std::vector<FoundInstance> allInstances(const SemanticVoxelMap& map)
 }
 }  // namespace
 
-MapOverview overviewOf(const SemanticVoxelMap& map)
+MapOverview overviewOf(const SemanticVoxelMap& map, const MappingCounts& counts)
 {
     MapOverview overview;
+    overview.counts = counts;
     overview.resolution = map.resolution();
     overview.memory = map.memory();
     overview.observedVoxels = overview.memory.observedVoxels;

@@ -9,38 +9,63 @@ namespace voxeland
 namespace
 {
 using mrpt::math::TVector3D;
-using points_t = std::vector<TVector3D>;
 
 constexpr double DEGREE = M_PI / 180;
 constexpr double MAX_TILT = 45 * DEGREE;
-constexpr size_t ENOUGH = 5000;          //!< points looked at
-constexpr double CLEARLY = 1.1;          //!< how much better than +z another direction must be
 constexpr double MIN_TILT = 2 * DEGREE;  //!< less is not worth turning the map
+constexpr size_t ENOUGH = 10000;         //!< voxels looked at
+constexpr double CLEARLY = 1.1;          //!< how much better than +z a direction near it must be
+constexpr double OPTICAL = 8;            //!< how much better than near +z one near -y must be
 
-/** Some of the occupied voxels, evenly chosen, in voxel edges. */
-points_t samplePoints(const SemanticVoxelMap& map)
+/** A voxel and where it faces. */
+struct Facet
 {
-    points_t all;
-    map.forEachVoxel(
-        [&](const VoxelCoord& v, const auto&...) { all.push_back(voxelCenter<TVector3D>(v, 1)); });
-    const size_t step = all.size() / ENOUGH + 1;
-    points_t some;
-    for (size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
-    return some;
+    TVector3D position;  //!< [voxel edges]
+    TVector3D facing;    //!< unit vector
+};
+
+double dot(const TVector3D& a, const TVector3D& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/** Unit vector tilted from +z. \param tx, ty its rise towards x and y [rad] */
-TVector3D tilted(double tx, double ty)
+/** Away from what is unknown, towards what is free; zero where the surroundings do not tell. */
+TVector3D facingOf(const SemanticVoxelMap& map, const VoxelCoord& v)
 {
-    const TVector3D v(std::tan(tx), std::tan(ty), 1);
-    return v * (1 / v.norm());
+    TVector3D sum(0, 0, 0);
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x) {
+                const log_odds_t o = map.occupancy(v + VoxelCoord{x, y, z});
+                if (o == UNOBSERVED)
+                    sum -= TVector3D(x, y, z);
+                else if (!OccupancyFilter::isOccupied(o))
+                    sum += TVector3D(x, y, z);
+            }
+    const double length = sum.norm();
+    return length < 3 ? TVector3D(0, 0, 0) : sum * (1 / length);
 }
 
-/** Sum of squares of the heights' histogram, in bins of one voxel. */
-double concentration(const points_t& points, const TVector3D& up)
+/** Some of the occupied voxels, evenly chosen. */
+std::vector<Facet> sampleFacets(const SemanticVoxelMap& map)
 {
+    std::vector<VoxelCoord> voxels;
+    map.forEachVoxel([&](const VoxelCoord& v, const auto&...) { voxels.push_back(v); });
+    const size_t step = voxels.size() / ENOUGH + 1;
+    std::vector<Facet> facets;
+    for (size_t i = 0; i < voxels.size(); i += step)
+        facets.push_back({voxelCenter<TVector3D>(voxels[i], 1), facingOf(map, voxels[i])});
+    return facets;
+}
+
+/** Sum of squares of the histogram of heights, in bins of one voxel, of what faces a direction. */
+double concentration(const std::vector<Facet>& facets, const TVector3D& up)
+{
+    constexpr double FACES_IT = 0.85;  // cosine
     std::vector<double> heights;
-    for (const auto& p : points) heights.push_back(up.x * p.x + up.y * p.y + up.z * p.z);
+    for (const Facet& f : facets)
+        if (dot(f.facing, up) > FACES_IT) heights.push_back(dot(f.position, up));
+    if (heights.empty()) return 0;
     const double lowest = *std::min_element(heights.begin(), heights.end());
     std::vector<double> histogram;
     for (const double h : heights) {
@@ -55,33 +80,48 @@ double concentration(const points_t& points, const TVector3D& up)
     for (const double n : histogram) sum += n * n;
     return sum;
 }
+
+/** A direction and how good it is. */
+struct Candidate
+{
+    TVector3D up;
+    double concentration = 0;
+};
+
+/** The best direction within MAX_TILT of an axis, searched from coarse to fine.
+ *  \param axis, side1, side2 unit vectors at right angles */
+Candidate bestNear(const std::vector<Facet>& facets, const TVector3D& axis, const TVector3D& side1,
+                   const TVector3D& side2)
+{
+    Candidate best{axis, concentration(facets, axis)};
+    double best1 = 0, best2 = 0, reach = MAX_TILT;
+    for (const double step : {3 * DEGREE, 1 * DEGREE, 0.25 * DEGREE}) {
+        const double middle1 = best1, middle2 = best2;
+        for (double t1 = middle1 - reach; t1 <= middle1 + reach; t1 += step)
+            for (double t2 = middle2 - reach; t2 <= middle2 + reach; t2 += step) {
+                const TVector3D v = axis + side1 * std::tan(t1) + side2 * std::tan(t2);
+                const TVector3D up = v * (1 / v.norm());
+                if (dot(up, axis) < std::cos(MAX_TILT)) continue;
+                const double c = concentration(facets, up);
+                if (c <= best.concentration) continue;
+                best = {up, c};
+                best1 = t1;
+                best2 = t2;
+            }
+        reach = step;
+    }
+    return best;
+}
 }  // namespace
 
 TVector3D estimateUp(const SemanticVoxelMap& map)
 {
-    const TVector3D z(0, 0, 1);
-    const points_t points = samplePoints(map);
-    if (points.empty()) return z;
-
-    // From coarse to fine around the best so far.
-    double bestX = 0, bestY = 0, best = concentration(points, z);
-    const double ofZ = best;
-    double reach = MAX_TILT;
-    for (const double step : {3 * DEGREE, 1 * DEGREE, 0.25 * DEGREE}) {
-        const double x0 = bestX, y0 = bestY;
-        for (double tx = x0 - reach; tx <= x0 + reach; tx += step)
-            for (double ty = y0 - reach; ty <= y0 + reach; ty += step) {
-                const TVector3D up = tilted(tx, ty);
-                if (up.z < std::cos(MAX_TILT)) continue;
-                const double c = concentration(points, up);
-                if (c <= best) continue;
-                best = c;
-                bestX = tx;
-                bestY = ty;
-            }
-        reach = step;
-    }
-    const TVector3D up = tilted(bestX, bestY);
-    return best > CLEARLY * ofZ && up.z < std::cos(MIN_TILT) ? up : z;
+    const TVector3D x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    const std::vector<Facet> facets = sampleFacets(map);
+    const Candidate best = bestNear(facets, z, x, y);
+    const Candidate optical = bestNear(facets, y * -1.0, x, z);
+    if (optical.concentration > OPTICAL * best.concentration) return optical.up;
+    const bool clearlyBetter = best.concentration > CLEARLY * concentration(facets, z);
+    return clearlyBetter && best.up.z < std::cos(MIN_TILT) ? best.up : z;
 }
 }  // namespace voxeland

@@ -12,7 +12,7 @@ std::string asText(const MapOverview& overview);
 std::string asText(const std::vector<FoundInstance>& instances, bool withDistance, bool prior);
 std::string asText(const PlaceAnswer& answer);
 
-/** Keys as the members of MapOverview, and `map` as in instancesAsJson(). */
+/** Keys as the members of MapOverview in small letters, and `map` as in instancesAsJson(). */
 std::string asJson(const SemanticVoxelMap& map, const MapOverview& overview);
 /** A list of the `objN` values of instancesAsJson(), each with its `distance`. */
 std::string asJson(const SemanticVoxelMap& map, const std::vector<FoundInstance>& instances);

@@ -2,6 +2,7 @@
 #pragma once
 #include "voxeland/io/OrientedBox.h"
 #include "voxeland/map/MapQueries.h"
+#include "voxeland/pipeline/SemanticMapper.h"
 
 #include <string>
 #include <vector>
@@ -19,8 +20,9 @@ struct MapOverview
     size_t instances = 0;       //!< that win at least one occupied voxel
     std::map<std::string, unsigned> categories;  //!< those instances, by most probable category
     SemanticVoxelMap::Memory memory;
+    MappingCounts counts;  //!< of the frames it was built from
 };
-MapOverview overviewOf(const SemanticVoxelMap& map);
+MapOverview overviewOf(const SemanticVoxelMap& map, const MappingCounts& counts);
 
 /** An instance that was looked for. */
 struct FoundInstance
