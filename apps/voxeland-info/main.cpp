@@ -16,7 +16,7 @@ namespace
 {
 const char* const DESCRIPTION = R"(Tells what a Voxeland map holds: a summary, or one of
 
-  voxeland-info kitchen.voxeland --instances            all objects, the surest first
+  voxeland-info kitchen.voxeland --instances            all objects, the biggest first
   voxeland-info kitchen.voxeland --find chair           where the chairs are, the nearest first
   voxeland-info kitchen.voxeland --find cup --from 1,2,0
   voxeland-info kitchen.voxeland --at 1.2,0.5,0.7       everything known of one place
@@ -47,7 +47,7 @@ int run(int argc, char** argv)
         "", "X,Y,Z", parser);
     TCLAP::ValueArg<std::string> find("", "find", "Objects of a category, the nearest first", false,
                                       "", "CATEGORY", parser);
-    TCLAP::SwitchArg instances("", "instances", "Table of all objects, the surest first", parser);
+    TCLAP::SwitchArg instances("", "instances", "Table of all objects, the biggest first", parser);
     TCLAP::UnlabeledValueArg<std::string> mapFile("map", "Map to read", true, "", "MAP.voxeland",
                                                   parser);
     if (!commandLine.parse(argc, argv)) return 0;

@@ -43,9 +43,12 @@ TEST(MapAnswers, overview)
     EXPECT_EQ(nothing.boxMax.x, 0);
 }
 
-TEST(MapAnswers, theSurestFirst)
+TEST(MapAnswers, theBiggestFirstThenTheSurest)
 {
-    EXPECT_EQ(ids(listInstances(tinyMap())), (std::vector<instance_id_t>{2, 1}));
+    SemanticVoxelMap map = tinyMap();
+    EXPECT_EQ(ids(listInstances(map)), (std::vector<instance_id_t>{2, 1}));
+    test::addVoxel(map, {0, 1, 0}, {{1, 1}});
+    EXPECT_EQ(ids(listInstances(map)), (std::vector<instance_id_t>{1, 2}));
 }
 
 TEST(MapAnswers, findsTheNearestFirstIgnoringCase)

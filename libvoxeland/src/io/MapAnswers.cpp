@@ -60,8 +60,8 @@ std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map)
 {
     auto all = allInstances(map);
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-        const double pa = a.summary.probability(), pb = b.summary.probability();
-        return pa != pb ? pa > pb : a.summary.voxels > b.summary.voxels;
+        const uint32_t va = a.summary.voxels, vb = b.summary.voxels;
+        return va != vb ? va > vb : a.summary.probability() > b.summary.probability();
     });
     return all;
 }

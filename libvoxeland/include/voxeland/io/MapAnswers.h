@@ -32,7 +32,7 @@ struct FoundInstance
     double distance = 0;  //!< from where it was looked for to its centroid [m]
 };
 
-/** All instances with an occupied voxel: the surest first (probability, then number of voxels). */
+/** All instances with an occupied voxel: those of most voxels first, the surer first of equals. */
 std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map);
 
 /** Instances whose most probable category has this name, ignoring case; if there is none, those
