@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/simulation/Random.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace voxeland::simulation
 {
@@ -14,6 +16,23 @@ uint64_t mix(uint64_t x)
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
     return x ^ (x >> 31);
+}
+constexpr int QUANTILES = 8192;  //!< of the normal distribution, between which is interpolated
+
+/** The standard normal distribution's quantiles i / QUANTILES, by bisection; ends at 4.5. */
+std::vector<float> quantiles()
+{
+    std::vector<float> result;
+    for (int i = 0; i <= QUANTILES; ++i) {
+        double low = -4.5, high = 4.5;
+        while (high - low > 1e-8) {
+            const double middle = (low + high) / 2;
+            const double below = std::erfc(-middle / std::sqrt(2.0)) / 2;
+            (below * QUANTILES < i ? low : high) = middle;
+        }
+        result.push_back(static_cast<float>(low));
+    }
+    return result;
 }
 }  // namespace
 
@@ -34,20 +53,10 @@ float Random::uniform(float low, float high)
 
 float Random::normal(float sigma)
 {
-    if (m_hasSpareNormal) {
-        m_hasSpareNormal = false;
-        return sigma * m_spareNormal;
-    }
-    double x, y, square;
-    do {  // Marsaglia's polar method gives two at a time
-        x = 2 * uniform() - 1;
-        y = 2 * uniform() - 1;
-        square = x * x + y * y;
-    } while (square >= 1 || square == 0);
-    const double scale = std::sqrt(-2 * std::log(square) / square);
-    m_spareNormal = static_cast<float>(y * scale);
-    m_hasSpareNormal = true;
-    return sigma * static_cast<float>(x * scale);
+    static const auto table = quantiles();
+    const float at = static_cast<float>(uniform()) * QUANTILES;
+    const auto i = std::min(static_cast<size_t>(at), size_t{QUANTILES - 1});
+    return sigma * (table[i] + (at - static_cast<float>(i)) * (table[i + 1] - table[i]));
 }
 
 int Random::below(int count)

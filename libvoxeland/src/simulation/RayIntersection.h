@@ -35,34 +35,33 @@ inline Slab intersectQuadric(float a, float b, float c)
             discriminant >= 0 ? (-b + root) / safe : -NO_HIT};
 }
 
-/** Where a ray enters a solid, all in the solid's frame; NO_HIT if it misses or starts inside.
+/** Interval of t in which a ray is inside a solid, all in the solid's frame; empty if it misses.
  *  Without branches, so that loops over a row of pixels are vectorized. */
 template <Solid::Shape SHAPE>
-inline float enterSolid(const Vector3& o, const Vector3& d, const Vector3& h)
+inline Slab intersectSolid(const Vector3& o, const Vector3& d, const Vector3& h)
 {
-    float enter, leave;
     if constexpr (SHAPE == Solid::Shape::Box) {
         const Slab x = intersectSlab(o.x, d.x, h.x), y = intersectSlab(o.y, d.y, h.y),
                    z = intersectSlab(o.z, d.z, h.z);
-        enter = std::max(std::max(x.enter, y.enter), z.enter);
-        leave = std::min(std::min(x.leave, y.leave), z.leave);
-    } else {
-        const float ox = o.x / h.x, oy = o.y / h.y, dx = d.x / h.x, dy = d.y / h.y;
-        if constexpr (SHAPE == Solid::Shape::Cylinder) {
-            const Slab side =
-                intersectQuadric(dx * dx + dy * dy, ox * dx + oy * dy, ox * ox + oy * oy - 1);
-            const Slab z = intersectSlab(o.z, d.z, h.z);
-            enter = std::max(side.enter, z.enter);
-            leave = std::min(side.leave, z.leave);
-        } else {
-            const float oz = o.z / h.z, dz = d.z / h.z;
-            const Slab body =
-                intersectQuadric(dx * dx + dy * dy + dz * dz, ox * dx + oy * dy + oz * dz,
-                                 ox * ox + oy * oy + oz * oz - 1);
-            enter = body.enter;
-            leave = body.leave;
-        }
+        return {std::max(std::max(x.enter, y.enter), z.enter),
+                std::min(std::min(x.leave, y.leave), z.leave)};
     }
-    return enter <= leave && enter > 0 ? enter : NO_HIT;
+    const float ox = o.x / h.x, oy = o.y / h.y, dx = d.x / h.x, dy = d.y / h.y;
+    if constexpr (SHAPE == Solid::Shape::Cylinder) {
+        const Slab side =
+            intersectQuadric(dx * dx + dy * dy, ox * dx + oy * dy, ox * ox + oy * oy - 1);
+        const Slab z = intersectSlab(o.z, d.z, h.z);
+        return {std::max(side.enter, z.enter), std::min(side.leave, z.leave)};
+    }
+    const float oz = o.z / h.z, dz = d.z / h.z;
+    return intersectQuadric(dx * dx + dy * dy + dz * dz, ox * dx + oy * dy + oz * dz,
+                            ox * ox + oy * oy + oz * oz - 1);
+}
+
+/** true where a ray enters a solid from outside, nearer than `limit`. */
+inline bool entersBefore(const Slab& inside, float limit)
+{
+    return (static_cast<int>(inside.enter <= inside.leave) & static_cast<int>(inside.enter > 0) &
+            static_cast<int>(inside.enter < limit)) != 0;
 }
 }  // namespace voxeland::simulation

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace voxeland::simulation
 {
@@ -46,8 +45,6 @@ CameraFrame::CameraFrame(const mrpt::math::TPose3D& pose)
 SceneRenderer::SceneRenderer(const Scene& scene, const PinholeCamera& camera)
     : m_scene(scene), m_camera(camera)
 {
-    if (scene.parts().size() >= NOTHING)
-        throw std::invalid_argument("the scene has more solids than the renderer can number");
     for (const auto& room : scene.rooms())
         m_lamps.emplace_back((room.minX + room.maxX) / 2, (room.minY + room.maxY) / 2, 2.3F);
 }
@@ -94,18 +91,22 @@ void SceneRenderer::draw(PartIndex part, const CameraFrame& frame, const Rectang
     const Vector3 forward = solid.directionToLocal(frame.forward),
                   right = solid.directionToLocal(frame.left) * (-1 / m_camera.focal),
                   down = solid.directionToLocal(frame.up) * (-1 / m_camera.focal);
+    const float cx = m_camera.cx;  // copies: for all the compiler knows the stores below
+    const int end = area.right;    // might change the originals
     for (int v = area.top; v < area.bottom; ++v) {
         const Vector3 row = forward + down * (static_cast<float>(v) - m_camera.cy);
         const size_t first = static_cast<size_t>(v) * static_cast<size_t>(m_camera.width);
         float* const depths = &depth[first];
         PartIndex* const owners = &parts[first];
-        for (int u = area.left; u < area.right; ++u) {
-            const float x = static_cast<float>(u) - m_camera.cx;
+        for (int u = area.left; u < end; ++u) {
+            const float x = static_cast<float>(u) - cx;
             const Vector3 direction{row.x + right.x * x, row.y + right.y * x, row.z + right.z * x};
-            const float t = enterSolid<SHAPE>(origin, direction, half);
-            const bool closer = t < depths[u];
-            depths[u] = closer ? t : depths[u];
-            owners[u] = closer ? part : owners[u];
+            const Slab inside = intersectSolid<SHAPE>(origin, direction, half);
+            const float depthSoFar = depths[u];
+            const PartIndex ownerSoFar = owners[u];
+            const bool closer = entersBefore(inside, depthSoFar);
+            depths[u] = closer ? inside.enter : depthSoFar;
+            owners[u] = closer ? part : ownerSoFar;
         }
     }
 }

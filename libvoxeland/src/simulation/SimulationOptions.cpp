@@ -48,14 +48,14 @@ DetectorOptions mild()
 DetectorOptions hard()
 {
     DetectorOptions o;
-    o.detectionRate = 0.75F;
-    o.halfRateArea = 600;
-    o.halfRateVisible = 0.4F;
+    o.detectionRate = 0.82F;
+    o.halfRateArea = 500;
+    o.halfRateVisible = 0.3F;
     o.falseDetections = 0.3F;
-    o.confidence = 3;
-    o.logitNoise = 1.1F;
-    o.confusedObjects = 0.75F;
-    o.confusedSector = 140;
+    o.confidence = 3.3F;
+    o.logitNoise = 1.0F;
+    o.confusedObjects = 0.65F;
+    o.confusedSector = 120;
     o.boundaryBias = 1;
     o.boundaryNoise = 2.5F;
     o.maskShift = 2;

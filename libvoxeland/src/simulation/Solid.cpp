@@ -66,20 +66,20 @@ Solid::Solid(Shape shape, const mrpt::math::TPose3D& pose, const Vector3& halfSi
 std::optional<float> Solid::intersect(const Vector3& origin, const Vector3& direction) const
 {
     const Vector3 o = pointToLocal(origin), d = directionToLocal(direction);
-    float t = NO_HIT;
+    Slab inside{NO_HIT, NO_HIT};
     switch (m_shape) {
         case Shape::Box:
-            t = enterSolid<Shape::Box>(o, d, m_halfSize);
+            inside = intersectSolid<Shape::Box>(o, d, m_halfSize);
             break;
         case Shape::Cylinder:
-            t = enterSolid<Shape::Cylinder>(o, d, m_halfSize);
+            inside = intersectSolid<Shape::Cylinder>(o, d, m_halfSize);
             break;
         case Shape::Ellipsoid:
-            t = enterSolid<Shape::Ellipsoid>(o, d, m_halfSize);
+            inside = intersectSolid<Shape::Ellipsoid>(o, d, m_halfSize);
             break;
     }
-    if (t == NO_HIT) return std::nullopt;
-    return t;
+    if (!entersBefore(inside, NO_HIT)) return std::nullopt;
+    return inside.enter;
 }
 
 Vector3 Solid::normalAt(const Vector3& p) const

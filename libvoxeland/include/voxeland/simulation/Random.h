@@ -17,7 +17,7 @@ class Random
     [[nodiscard]] double uniform();
     /** Uniform in [low, high). */
     [[nodiscard]] float uniform(float low, float high);
-    /** Normal with mean 0 and the given standard deviation. */
+    /** Normal with mean 0 and the given standard deviation, cut off at 4.5 times that. */
     [[nodiscard]] float normal(float sigma);
     /** Uniform in {0, ..., count-1}; count must be positive. */
     [[nodiscard]] int below(int count);
@@ -28,7 +28,5 @@ class Random
 
  private:
     std::mt19937_64 m_engine;
-    float m_spareNormal = 0;
-    bool m_hasSpareNormal = false;
 };
 }  // namespace voxeland::simulation

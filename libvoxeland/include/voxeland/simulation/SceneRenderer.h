@@ -63,8 +63,8 @@ class SceneRenderer
     [[nodiscard]] RenderedView render(const mrpt::math::TPose3D& pose) const;
 
  private:
-    using PartIndex = uint16_t;
-    static constexpr PartIndex NOTHING = 0xffff;
+    using PartIndex = uint32_t;  // as wide as a depth: both are updated in one vector operation
+    static constexpr PartIndex NOTHING = 0xffffffff;
 
     struct Rectangle
     {
