@@ -33,6 +33,7 @@ std::map<std::string, std::string> filesOf(const SimulationOptions& options, uns
     SimulationOutput output;
     output.rawlog = folder.file("sim.rawlog");
     output.groundTruthFolder = folder.file("truth");
+    output.rawlogOptions.comment = "a test";
     output.threads = threads;
     runSimulation(options, output, [](size_t) {});
     std::map<std::string, std::string> files;

@@ -85,7 +85,6 @@ SimulationSummary runSimulation(const SimulationOptions& options, const Simulati
         summary.predictions += frame.predictions.size();
         progress(++summary.frames);
     }
-    writer.close();
     if (groundTruth) {
         groundTruth->save(output.groundTruthFolder);
         writeAtomically(output.groundTruthFolder + "/trajectory.tum",
@@ -94,6 +93,7 @@ SimulationSummary runSimulation(const SimulationOptions& options, const Simulati
         summary.groundTruthPoints = static_cast<size_t>(
             std::count_if(points.begin(), points.end(), [](const auto& p) { return p.seen; }));
     }
+    writer.close();
     return summary;
 }
 }  // namespace voxeland::simulation
