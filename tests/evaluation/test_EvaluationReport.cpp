@@ -101,7 +101,7 @@ TEST(EvaluationReport, saysTheProtocolAndEachCounterpart)
 TEST(EvaluationReport, textHasTheTableInPercent)
 {
     const std::string text = reportOf({bedroom()}).text();
-    EXPECT_NE(text.find("paper9 (bed, chair, sofa"), std::string::npos) << text;
+    EXPECT_NE(text.find("9 of paper9: bed, chair, sofa"), std::string::npos) << text;
     EXPECT_NE(text.find("chair"), std::string::npos);
     EXPECT_NE(text.find("   50.0   50.0   50.0   50.0   66.7  100.0   66.7"), std::string::npos)
         << text;

@@ -80,10 +80,12 @@ void writeMetrics(std::ostream& out, const Metrics& m)
 void writeProtocol(std::ostream& out, const LabelMap& labels, const EvaluationProtocol& protocol)
 {
     const bool ignore = protocol.voidPolicy == VoidPolicy::ignore;
-    out << "Protocol\n  classes: " << labels.source() << " (";
-    for (size_t i = 0; i < labels.classes().size(); ++i)
-        out << (i > 0 ? ", " : "") << labels.classes()[i];
-    out << ")\n"
+    constexpr size_t MOST_NAMED = 20;
+    const size_t classes = labels.classes().size();
+    out << "Protocol\n  classes: " << classes << " of " << labels.source();
+    for (size_t i = 0; i < classes && classes <= MOST_NAMED; ++i)
+        out << (i == 0 ? ": " : ", ") << labels.classes()[i];
+    out << "\n"
         << "  a ground-truth point takes the instance of its voxel, else of the nearest occupied "
            "voxel in reach\n"
         << "  score: " << toString(protocol.score) << "; at least " << protocol.minPoints
