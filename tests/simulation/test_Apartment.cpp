@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 using namespace voxeland::simulation;
 
@@ -77,6 +76,13 @@ TEST_P(Apartments, ObjectsAreInTheRooms)
 INSTANTIATE_TEST_SUITE_P(Many, Apartments,
                          ::testing::Combine(::testing::Values(1, 2, 3),
                                             ::testing::Range(uint64_t{1}, uint64_t{9})));
+
+TEST(Apartment, TheFurnitureFitsForEverySeed)
+{
+    for (const int rooms : {1, 2, 3})
+        for (uint64_t seed = 100; seed < 200; ++seed)
+            EXPECT_NO_THROW(apartment(rooms, seed)) << rooms << " rooms, seed " << seed;
+}
 
 TEST(Apartment, HoldsThePapersNineClasses)
 {

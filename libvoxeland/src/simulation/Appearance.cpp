@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/simulation/Appearance.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace voxeland::simulation
@@ -48,9 +49,9 @@ Colour surfaceColour(const Appearance& a, float x, float y, float z)
         case Texture::Planks: {
             const int row = cell(y, 0.14F);
             const float shifted = x + 0.37F * static_cast<float>(row);
-            const float joint = toJoint(y, 0.14F) < 0.02F || toJoint(shifted, 1.2F) < 0.003F;
+            const bool joint = toJoint(y, 0.14F) < 0.02F || toJoint(shifted, 1.2F) < 0.003F;
             const float tone = cellNoise(cell(shifted, 1.2F), row, 0, a.variation);
-            return scaled(a.colour, joint != 0 ? 0.6F : 0.85F + 0.2F * tone);
+            return scaled(a.colour, joint ? 0.6F : 0.85F + 0.2F * tone);
         }
         case Texture::Tiles: {
             const bool joint = toJoint(x, 0.3F) < 0.015F || toJoint(y, 0.3F) < 0.015F;

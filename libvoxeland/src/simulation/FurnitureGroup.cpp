@@ -164,8 +164,9 @@ FurnitureGroup diningGroup(const SceneOptions& options, Random& random)
             addChairsAlong(scene, at(middle, -size.depth / 2, 0, 0, M_PI), size.width, chairs, r);
         }
     };
-    return {size.width * static_cast<float>(tables) + 0.1F, size.depth + 2 * (CHAIR_DEPTH + 0.12F),
-            false, build};
+    constexpr float PASSAGE = 0.25F;  // behind the chairs
+    return {size.width * static_cast<float>(tables) + PASSAGE,
+            size.depth + 2 * (CHAIR_DEPTH + PASSAGE), false, build};
 }
 
 FurnitureGroup kitchenGroup(const SceneOptions& options)

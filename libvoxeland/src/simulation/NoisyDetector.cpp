@@ -4,7 +4,6 @@
 #include "MaskDistortion.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace voxeland::simulation
 {
