@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Makes a semantic voxel map from a rawlog. */
-#include <iostream>
-#include <limits>
-
 #include "common/CommandLine.h"
 #include "common/Progress.h"
 #include "voxeland/errors.h"
@@ -13,6 +10,9 @@
 #include "voxeland/metric_map/RawlogMapping.h"
 #include "voxeland/pipeline/TimingLog.h"
 #include "voxeland/plugins/PluginLoader.h"
+
+#include <iostream>
+#include <limits>
 
 using namespace voxeland;
 
@@ -38,32 +38,45 @@ struct Arguments : apps::CommandLine
     TCLAP::SwitchArg listPlugins{"", "list-plugins", "Print the plugins that are there, and end",
                                  parser()};
     TCLAP::SwitchArg checkConfig{"", "check-config", "Check the configuration, and end", parser()};
-    TCLAP::SwitchArg dumpConfig{"", "dump-config", "Print the effective configuration as an INI, and end",
-                                parser()};
+    TCLAP::SwitchArg dumpConfig{"", "dump-config",
+                                "Print the effective configuration as an INI, and end", parser()};
     TCLAP::ValueArg<std::string> timing{
-        "", "timing", "Write each frame's CPU time per stage [ms]", false, "", "FILE.csv", parser()};
-    TCLAP::ValueArg<std::string> resume{"",    "resume", "Go on with this map instead of an empty one",
-                                        false, "",       "MAP.voxeland", parser()};
-    TCLAP::MultiArg<std::string> set{"", "set", "Set a key of the configuration; may be repeated", false,
-                                     "section.key=value", parser()};
-    TCLAP::ValueArg<uint32_t> every{"",    "every", "Use one frame in so many (default: 1)",
-                                    false, 1,       "N", parser()};
-    TCLAP::ValueArg<uint32_t> to{"",    "to", "Last frame to use, by number (default: the last)",
-                                 false, std::numeric_limits<uint32_t>::max(), "N", parser()};
-    TCLAP::ValueArg<uint32_t> from{"", "from", "First frame to use, by number (default: 0)", false, 0, "N",
-                                   parser()};
+        "",         "timing", "Write each frame's CPU time per stage [ms]", false, "",
+        "FILE.csv", parser()};
+    TCLAP::ValueArg<std::string> resume{
+        "",      "resume", "Go on with this map instead of an empty one", false, "", "MAP.voxeland",
+        parser()};
+    TCLAP::MultiArg<std::string> set{"",
+                                     "set",
+                                     "Set a key of the configuration; may be repeated",
+                                     false,
+                                     "section.key=value",
+                                     parser()};
+    TCLAP::ValueArg<uint32_t> every{"",  "every", "Use one frame in so many (default: 1)", false, 1,
+                                    "N", parser()};
+    TCLAP::ValueArg<uint32_t> to{"",
+                                 "to",
+                                 "Last frame to use, by number (default: the last)",
+                                 false,
+                                 std::numeric_limits<uint32_t>::max(),
+                                 "N",
+                                 parser()};
+    TCLAP::ValueArg<uint32_t> from{
+        "", "from", "First frame to use, by number (default: 0)", false, 0, "N", parser()};
     TCLAP::ValueArg<std::string> exportDir{
-        "",    "export-dir", "Also write PLY, JSON, CSV and pictures of the map into this folder",
-        false, "",           "DIR", parser()};
+        "",      "export-dir", "Also write PLY, JSON, CSV and pictures of the map into this folder",
+        false,   "",           "DIR",
+        parser()};
     TCLAP::ValueArg<std::string> poses{
-        "", "poses", "Trajectory of the robot in TUM format, instead of the rawlog's poses", false, "",
-        "FILE.tum", parser()};
-    TCLAP::ValueArg<std::string> output{"o", "output", "Map to write", false, "", "MAP.voxeland",
-                                        parser()};
-    TCLAP::ValueArg<std::string> input{"i", "input", "Rawlog or simplemap to read", false, "",
-                                       "FILE.rawlog", parser()};
-    TCLAP::ValueArg<std::string> config{"c",   "config", "Configuration (default: all defaults)",
-                                        false, "",       "FILE.ini", parser()};
+        "",      "poses", "Trajectory of the robot in TUM format, instead of the rawlog's poses",
+        false,   "",      "FILE.tum",
+        parser()};
+    TCLAP::ValueArg<std::string> output{"o", "output",       "Map to write", false,
+                                        "",  "MAP.voxeland", parser()};
+    TCLAP::ValueArg<std::string> input{
+        "i", "input", "Rawlog or simplemap to read", false, "", "FILE.rawlog", parser()};
+    TCLAP::ValueArg<std::string> config{
+        "c", "config", "Configuration (default: all defaults)", false, "", "FILE.ini", parser()};
 };
 
 /** The INI to use: that of the command line, that of the map to resume, or defaults. */
@@ -82,14 +95,16 @@ Ini configuration(Arguments& arguments, const CVoxelandMap* resumed)
 void printSummary(const CVoxelandMap& map, const TimingLog& timing)
 {
     const MappingCounts& n = map.counts();
-    std::cout << asText(overviewOf(map.map()));
+    std::cout << asText(overviewOf(map.map(), n));
     std::cout << "frames: " << n.frames << " mapped";
     if (n.framesWithoutPredictions > 0)
         std::cout << " (" << n.framesWithoutPredictions << " without predictions)";
-    if (n.framesWithoutPose > 0) std::cout << ", " << n.framesWithoutPose << " skipped without a pose";
+    if (n.framesWithoutPose > 0)
+        std::cout << ", " << n.framesWithoutPose << " skipped without a pose";
     std::cout << "; opinions: " << n.opinions << "\n";
     if (n.predictionsWithoutFrame > 0)
-        std::cout << "predictions of " << n.predictionsWithoutFrame << " frames that are not there\n";
+        std::cout << "predictions of " << n.predictionsWithoutFrame
+                  << " frames that are not there\n";
     timing.printSummary(std::cout);
 }
 
@@ -129,7 +144,8 @@ int makeMap(Arguments& arguments)
     saveMap(*map, arguments.output.getValue());
     if (arguments.exportDir.isSet()) exportAll(map->map(), arguments.exportDir.getValue());
     if (arguments.timing.isSet())
-        writeAtomically(arguments.timing.getValue(), [&](std::ostream& out) { timing.writeCsv(out); });
+        writeAtomically(arguments.timing.getValue(),
+                        [&](std::ostream& out) { timing.writeCsv(out); });
     printSummary(*map, timing);
     return 0;
 }

@@ -9,42 +9,46 @@ namespace voxeland
 {
 namespace
 {
-/** Marks cells; successive ones are mostly of the same block. */
+/** Marks cells in one of the masks; successive ones are mostly of the same block. */
+template <CellMask ObservedBlock::*MASK>
 class Marker
 {
  public:
     explicit Marker(ObservedSpace& space) : m_space(space) {}
 
-    void mark(const VoxelCoord& v, CellMask ObservedBlock::*mask)
+    void operator()(const VoxelCoord& v)
     {
         const VoxelCoord block = blockOf(v);
-        if (m_current == nullptr || block != m_block) {
-            m_block = block;
-            m_current = &m_space.at(block);
-        }
-        (m_current->*mask).set(cellOf(v));
+        if (block != m_block || m_mask == nullptr) enter(block);
+        m_mask->set(cellOf(v));
     }
 
  private:
+    __attribute__((noinline)) void enter(const VoxelCoord& block)
+    {
+        m_block = block;
+        m_mask = &(m_space.at(block).*MASK);
+    }
+
     ObservedSpace& m_space;
     VoxelCoord m_block;
-    ObservedBlock* m_current = nullptr;
+    CellMask* m_mask = nullptr;
 };
 }  // namespace
 
 ObservedSpace castRays(const VoxelizedFrame& frame, double visibilityMargin)
 {
     ObservedSpace space;
-    Marker marker(space);
+    Marker<&ObservedBlock::passed> markPassed(space);
+    Marker<&ObservedBlock::hit> markHit(space);
+    Marker<&ObservedBlock::behind> markBehind(space);
     const double inverseResolution = 1 / frame.resolution();
     for (const HitVoxel& h : frame.hits()) {
-        traverseRay(frame.origin(), h.centroid, inverseResolution,
-                    [&](const VoxelCoord& v) { marker.mark(v, &ObservedBlock::passed); });
-        marker.mark(h.coord, &ObservedBlock::hit);
+        traverseRay(frame.origin(), h.centroid, inverseResolution, markPassed);
+        markHit(h.coord);
         const TPoint3D direction = h.centroid - frame.origin();
         const TPoint3D end = h.centroid + direction * (visibilityMargin / direction.norm());
-        traverseRay(h.centroid, end, inverseResolution,
-                    [&](const VoxelCoord& v) { marker.mark(v, &ObservedBlock::behind); });
+        traverseRay(h.centroid, end, inverseResolution, markBehind);
     }
     for (size_t b = 0; b < space.size(); ++b) space[b].passed = space[b].passed - space[b].hit;
     return space;

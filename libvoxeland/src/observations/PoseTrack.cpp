@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/PoseTrack.h"
 
+#include "voxeland/errors.h"
+
 #include <mrpt/math/CQuaternion.h>
 #include <mrpt/math/slerp.h>
 #include <mrpt/poses/CPose3D.h>
@@ -10,8 +12,6 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
-
-#include "voxeland/errors.h"
 
 using mrpt::math::TPose3D;
 
@@ -38,7 +38,8 @@ bool parseTumLine(const std::string& line, double& time, TPose3D& pose)
 PoseTrack PoseTrack::fromTumFile(const std::string& file, double maxGap)
 {
     std::ifstream in(file);
-    if (!in) throw InputError("cannot read the trajectory '" + file + "': give a file in TUM format");
+    if (!in)
+        throw InputError("cannot read the trajectory '" + file + "': give a file in TUM format");
     PoseTrack track(maxGap);
     size_t number = 0;
     for (std::string line; std::getline(in, line);) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/VoxelizedFrame.h"
 
+#include "PixelDirections.h"
+#include "PixelGrouping.h"
 #include "voxeland/errors.h"
-#include "voxeland/grid/CoordHash.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/Lie/SE.h>
 #include <mrpt/system/datetime.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -97,75 +99,6 @@ std::array<double, 2> projected(const TCamera& camera, double x, double y)
     return {camera.cx() + camera.fx() * u, camera.cy() + camera.fy() * v};
 }
 
-/** Collects points in voxels given by coordinates relative to a base voxel. */
-class VoxelGrouping
-{
- public:
-    VoxelGrouping(const VoxelCoord& base, double resolution, std::vector<HitVoxel>& hits)
-        : m_base(base), m_resolution(resolution), m_hits(hits)
-    {
-        m_index.reserve(1 << 13);
-    }
-
-    /** Adds a point; x, y, z in voxel edges from the base voxel's corner. \return its hit's number
-     */
-    int32_t add(const VoxelCoord& relative, float x, float y, float z)
-    {
-        if (!m_started || relative != m_current) startRun(relative);
-        ++m_points;
-        m_x += x;
-        m_y += y;
-        m_z += z;
-        return static_cast<int32_t>(m_hit);
-    }
-    /** Turns sums into means. */
-    void finish()
-    {
-        flush();
-        for (size_t i = 0; i < m_hits.size(); ++i) {
-            HitVoxel& h = m_hits[i];
-            const double scale = m_resolution / h.points;
-            h.centroid = {m_base.x * m_resolution + h.centroid.x * scale,
-                          m_base.y * m_resolution + h.centroid.y * scale,
-                          m_base.z * m_resolution + h.centroid.z * scale};
-        }
-    }
-
- private:
-    // Neighbouring pixels mostly fall in the same voxel: sums of a run stay in registers.
-    void startRun(const VoxelCoord& relative)
-    {
-        flush();
-        m_current = relative;
-        m_started = true;
-        m_hit = m_index.insert(relative, static_cast<uint32_t>(m_hits.size()));
-        if (m_hit == m_hits.size()) m_hits.push_back({m_base + relative, 0, {0, 0, 0}});
-    }
-    void flush()
-    {
-        if (m_points == 0) return;
-        HitVoxel& h = m_hits[m_hit];
-        h.points += m_points;
-        h.centroid += TPoint3D(m_x, m_y, m_z);
-        m_points = 0;
-        m_x = m_y = m_z = 0;
-    }
-
-    VoxelCoord m_base, m_current;
-    double m_resolution;
-    std::vector<HitVoxel>& m_hits;
-    CoordHash m_index;
-    bool m_started = false;
-    uint32_t m_hit = 0, m_points = 0;
-    float m_x = 0, m_y = 0, m_z = 0;
-};
-
-/** Rounds down; unlike std::floor it vectorizes without SSE 4.1. */
-inline int32_t roundedDown(float x)
-{
-    const auto truncated = static_cast<int32_t>(x);
-    return truncated - static_cast<int32_t>(x < static_cast<float>(truncated));
-}
 }  // namespace
 
 VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const DepthLimits& limits)
@@ -178,56 +111,8 @@ VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const 
     if (!isValidPose(sensorPose)) throw InputError(nameOf(scan) + " has an invalid pose");
     m_focalLength = scan.cameraParams.fx();
     m_origin = sensorPose.translation();
-    groupPixels(scan, sensorPose, limits);
+    m_hitOfPixel = groupPixels(scan, sensorPose, resolution, limits, m_hits);
     if (frame.instances && !camerasCoincide(scan)) projectIntoColour(scan);
-}
-
-void VoxelizedFrame::groupPixels(const CObservation3DRangeScan& scan, const CPose3D& sensorPose,
-                                 const DepthLimits& limits)
-{
-    const auto rows = static_cast<size_t>(scan.rangeImage.rows());
-    const auto columns = static_cast<size_t>(scan.rangeImage.cols());
-    m_hitOfPixel.resize(rows * columns);
-
-    // Everything in voxel edges relative to the voxel of the optical centre: exact in float.
-    const double edges = 1 / m_resolution;
-    const VoxelCoord base = voxelOf(m_origin, edges);
-    std::array<float, 9> r{};
-    for (int i = 0; i < 9; ++i)
-        r[static_cast<size_t>(i)] =
-            static_cast<float>(sensorPose.getRotationMatrix()(i / 3, i % 3) * edges);
-    const auto tx = static_cast<float>(m_origin.x * edges - base.x);
-    const auto ty = static_cast<float>(m_origin.y * edges - base.y);
-    const auto tz = static_cast<float>(m_origin.z * edges - base.z);
-
-    const auto& directions = scan.get_unproj_lut();
-    const float unit = scan.rangeUnits;
-    const auto nearest = static_cast<float>(limits.min_depth);
-    const auto farthest = static_cast<float>(limits.max_depth);
-    VoxelGrouping grouping(base, m_resolution, m_hits);
-    std::vector<float> x(columns), y(columns), z(columns);
-    std::vector<int32_t> i(columns), j(columns), k(columns), valid(columns);
-    for (size_t row = 0; row < rows; ++row) {
-        const uint16_t* depth = &scan.rangeImage(static_cast<int>(row), 0);
-        const float* dx = &directions.Kxs[row * columns];
-        const float* dy = &directions.Kys[row * columns];
-        const float* dz = &directions.Kzs[row * columns];
-        for (size_t c = 0; c < columns; ++c) {
-            const float d = static_cast<float>(depth[c]) * unit;
-            valid[c] = static_cast<int32_t>(d >= nearest) & static_cast<int32_t>(d <= farthest);
-            const float px = d * dx[c], py = d * dy[c], pz = d * dz[c];
-            x[c] = r[0] * px + r[1] * py + r[2] * pz + tx;
-            y[c] = r[3] * px + r[4] * py + r[5] * pz + ty;
-            z[c] = r[6] * px + r[7] * py + r[8] * pz + tz;
-            i[c] = roundedDown(x[c]);
-            j[c] = roundedDown(y[c]);
-            k[c] = roundedDown(z[c]);
-        }
-        int32_t* hit = &m_hitOfPixel[row * columns];
-        for (size_t c = 0; c < columns; ++c)
-            hit[c] = valid[c] != 0 ? grouping.add({i[c], j[c], k[c]}, x[c], y[c], z[c]) : NO_HIT;
-    }
-    grouping.finish();
 }
 
 void VoxelizedFrame::projectIntoColour(const CObservation3DRangeScan& scan)
@@ -237,16 +122,19 @@ void VoxelizedFrame::projectIntoColour(const CObservation3DRangeScan& scan)
         throw InputError(nameOf(scan) +
                          " has a fisheye colour camera: predictions can be used with "
                          "pinhole cameras only");
-    const auto& directions = scan.get_unproj_lut();
+    PixelDirections directions(scan);
+    const size_t columns = scan.cameraParams.ncols;
     const CPose3D colourFromDepth = CPose3D() - scan.relativePoseIntensityWRTDepth;
     m_colourOfPixel.assign(m_hitOfPixel.size(), -1);
     for (size_t p = 0; p < m_hitOfPixel.size(); ++p) {
+        const size_t c = p % columns;
+        if (c == 0) directions.select(p / columns);
         if (m_hitOfPixel[p] == NO_HIT) continue;
         const double d =
             static_cast<double>(scan.rangeImage.data()[p]) * static_cast<double>(scan.rangeUnits);
-        const TPoint3D inDepth(d * static_cast<double>(directions.Kxs[p]),
-                               d * static_cast<double>(directions.Kys[p]),
-                               d * static_cast<double>(directions.Kzs[p]));
+        const TPoint3D inDepth(d * static_cast<double>(directions.x()[c]),
+                               d * static_cast<double>(directions.y()[c]),
+                               d * static_cast<double>(directions.z()[c]));
         const TPoint3D inColour = colourFromDepth.composePoint(inDepth);
         if (!(inColour.z > 0)) continue;
         const auto [u, v] = projected(camera, inColour.x / inColour.z, inColour.y / inColour.z);

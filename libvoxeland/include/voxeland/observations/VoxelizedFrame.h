@@ -53,8 +53,6 @@ class VoxelizedFrame
         const RunLengthMask& mask) const;
 
  private:
-    void groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
-                     const mrpt::poses::CPose3D& sensorPose, const DepthLimits& limits);
     void projectIntoColour(const mrpt::obs::CObservation3DRangeScan& scan);
 
     double m_resolution;
