@@ -2,6 +2,7 @@
 #include "PixelDirections.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace voxeland
 {
@@ -13,13 +14,23 @@ bool isPinhole(const mrpt::obs::CObservation3DRangeScan& scan)
     return scan.range_is_depth && camera.distortion != mrpt::img::DistortionModel::kannala_brandt &&
            std::all_of(camera.dist.begin(), camera.dist.end(), [](double d) { return d == 0; });
 }
+
+/** The directions of a camera with distortion. MRPT fills the table when a camera first asks for
+ * it, unguarded, while frames are prepared in several threads. */
+const mrpt::obs::CObservation3DRangeScan::unproject_LUT_t& unprojectionTable(
+    const mrpt::obs::CObservation3DRangeScan& scan)
+{
+    static std::mutex filling;
+    const std::lock_guard<std::mutex> lock(filling);
+    return scan.get_unproj_lut();
+}
 }  // namespace
 
 PixelDirections::PixelDirections(const mrpt::obs::CObservation3DRangeScan& scan)
     : m_camera(scan.cameraParams), m_pinhole(isPinhole(scan))
 {
     if (!m_pinhole) {
-        m_table = &scan.get_unproj_lut();
+        m_table = &unprojectionTable(scan);
         return;
     }
     m_x.assign(m_camera.ncols, 1.0f);
