@@ -23,20 +23,23 @@ function(voxeland_warnings target)
     $<$<BOOL:${VOXELAND_WERROR}>:-Werror>)
 endfunction()
 
+# All programs and plugins, without tests and benchmarks.
+add_custom_target(programs)
+
 # voxeland_program(NAME source...): a command line program in build/bin.
 function(voxeland_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE voxeland_apps_common)
   voxeland_warnings(${name})
+  add_dependencies(programs ${name})
   install(TARGETS ${name} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endfunction()
 
-# voxeland_plugin(NAME source...): a plugin NAME.so in build/lib/voxeland. Unresolved symbols are
-# reported when it is loaded, and it is never unloaded (MRPT's class registry points into it).
+# voxeland_plugin(NAME source...): a plugin NAME.so in build/lib/voxeland.
 function(voxeland_plugin name)
   add_library(${name} MODULE ${ARGN})
-  target_link_libraries(${name} PRIVATE voxeland)
-  target_link_options(${name} PRIVATE -Wl,-z,now,-z,nodelete)
+  target_link_libraries(${name} PRIVATE voxeland::plugin)
+  add_dependencies(programs ${name})
   set_target_properties(${name} PROPERTIES PREFIX ""
     LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib/voxeland"
     INSTALL_RPATH "$ORIGIN/..")

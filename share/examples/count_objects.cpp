@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A program: how many objects a map holds.
+#include <voxeland/metric_map/CVoxelandMap.h>
+#include <voxeland/metric_map/MapFile.h>
+
+#include <exception>
+#include <iostream>
+
+int main(int argc, char** argv)
+try {
+    if (argc != 2) throw std::invalid_argument("usage: count_objects MAP.voxeland");
+    std::cout << voxeland::loadMap(argv[1])->map().instances().size() << "\n";
+    return 0;
+} catch (const std::exception& e) {
+    std::cerr << e.what() << "\n";
+    return 1;
+}
