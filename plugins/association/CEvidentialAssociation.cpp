@@ -15,17 +15,37 @@ std::string CEvidentialAssociation::description() const
 void CEvidentialAssociation::declareOptions(OptionList& options)
 {
     options.add("tau_iou", m_tauIoU, {0, 1}, "Intersection over union that makes a match");
+    options.add("use_iov", m_useIoV, "Also match partial views by what is visible of an instance");
     options.add("tau_iov_strict", m_tauIoVStrict, {0, 1},
-                "Intersection over visible that makes a match when categories differ (S_sem = 0)");
+                "Least IoV and IoM of a partial view when categories differ (S_sem = 0)");
     options.add("tau_iov_relaxed", m_tauIoVRelaxed, {0, 1},
-                "Intersection over visible that makes a match when categories agree (S_sem = 1)");
+                "Least IoV and IoM of a partial view when categories agree (S_sem = 1)");
+    options.add("tau_piece", m_tauPiece, {0, 1}, "Least IoM of a piece of an instance");
+    options.add("piece_similarity", m_pieceSimilarity, {0, 1},
+                "Least semantic similarity of a piece");
+    options.add("use_similarity", m_useSimilarity,
+                "Let semantic similarity relax the thresholds; otherwise it counts as 0.5");
 }
 
-double CEvidentialAssociation::matchQuality(const Overlap& o) const
+double CEvidentialAssociation::similarity(double measured) const
 {
-    const double tauIoV = m_tauIoVStrict + (m_tauIoVRelaxed - m_tauIoVStrict) * o.similarity;
-    const bool matches = o.iou() >= m_tauIoU || o.iov() >= tauIoV;
-    return matches ? o.iou() + o.iov() : -1;
+    return m_useSimilarity ? measured : 0.5;
+}
+
+bool CEvidentialAssociation::matches(const Overlap& o) const
+{
+    if (o.iou() >= m_tauIoU) return true;
+    if (!m_useIoV) return false;
+    const double s = similarity(o.similarity);
+    const double tau = m_tauIoVStrict + (m_tauIoVRelaxed - m_tauIoVStrict) * s;
+    const bool isVisiblePart = o.iov() >= tau && o.iom() >= tau;
+    const bool isPiece = o.iom() >= m_tauPiece && m_useSimilarity && s >= m_pieceSimilarity;
+    return isVisiblePart || isPiece;
+}
+
+double CEvidentialAssociation::quality(const Overlap& o) const
+{
+    return o.iov() * o.iom() * (0.5 + similarity(o.similarity));
 }
 
 std::vector<Assignment> CEvidentialAssociation::associate(
@@ -37,19 +57,21 @@ std::vector<Assignment> CEvidentialAssociation::associate(
         best.newInstance = static_cast<uint32_t>(assignments.size());
         double bestQuality = -1;
         for (const Overlap& candidate : o.candidates) {
-            const double quality = matchQuality(candidate);
-            if (quality <= bestQuality) continue;
+            if (!matches(candidate) || quality(candidate) <= bestQuality) continue;
             best.instance = candidate.instance;
-            bestQuality = quality;
+            bestQuality = quality(candidate);
         }
         assignments.push_back(best);
     }
     return assignments;
 }
 
-bool CEvidentialAssociation::mayMerge(const InstanceOverlap& o, const SemanticVoxelMap&) const
+bool CEvidentialAssociation::mayMerge(const InstanceOverlap& o, const MergeThresholds& thresholds,
+                                      const SemanticVoxelMap&) const
 {
-    return o.iou() > m_mergeIoU || (o.ios() >= m_mergeIoS && o.similarity >= m_mergeSimilarity);
+    if (o.iou() > thresholds.iou) return true;
+    const bool similar = !m_useSimilarity || o.similarity >= thresholds.similarity;
+    return thresholds.use_ios && similar && o.ios() >= thresholds.ios;
 }
 }  // namespace voxeland
 

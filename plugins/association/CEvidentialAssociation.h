@@ -4,10 +4,14 @@
 
 namespace voxeland
 {
-/** The paper's association: an opinion belongs to an instance if their intersection over union
- * reaches tau_IoU, or the intersection over what is visible of the instance reaches tau_IoV, which
- * goes linearly from strict (S_sem = 0) to relaxed (S_sem = 1). Among several the best one gets it.
- */
+/** The paper's association, with its geometric test closed on both sides. An opinion belongs to an
+ *  instance if
+ *   - their intersection over union reaches tau_iou, or
+ *   - it is the visible part of the instance: IoV and IoM (its mirror image, see Overlap) both
+ * reach a threshold that goes linearly from tau_iov_strict (S_sem = 0) to tau_iov_relaxed (S_sem =
+ * 1), or
+ *   - it is a piece of the instance: IoM reaches tau_piece and S_sem piece_similarity.
+ *  Among several instances the one with the greatest product of IoV, IoM and similarity gets it. */
 class CEvidentialAssociation : public CAssociationPolicy
 {
     DEFINE_MRPT_OBJECT(CEvidentialAssociation, voxeland)
@@ -17,14 +21,18 @@ class CEvidentialAssociation : public CAssociationPolicy
     void declareOptions(OptionList& options) override;
     [[nodiscard]] std::vector<Assignment> associate(const std::vector<OpinionOverlaps>& opinions,
                                                     const SemanticVoxelMap& map) const override;
-    [[nodiscard]] bool mayMerge(const InstanceOverlap& overlap,
+    [[nodiscard]] bool mayMerge(const InstanceOverlap& overlap, const MergeThresholds& thresholds,
                                 const SemanticVoxelMap& map) const override;
 
  private:
-    /** How well an opinion matches an instance; negative: not at all. */
-    [[nodiscard]] double matchQuality(const Overlap& overlap) const;
+    /** Semantic similarity, or what stands for it where it is switched off. */
+    [[nodiscard]] double similarity(double measured) const;
+    [[nodiscard]] bool matches(const Overlap& overlap) const;
+    /** Orders the instances an opinion matches. */
+    [[nodiscard]] double quality(const Overlap& overlap) const;
 
-    double m_tauIoU = 0.3, m_tauIoVStrict = 0.7, m_tauIoVRelaxed = 0.35;
-    double m_mergeIoU = 0.8, m_mergeIoS = 0.6, m_mergeSimilarity = 0.7;
+    double m_tauIoU = 0.3, m_tauIoVStrict = 0.6, m_tauIoVRelaxed = 0.25;
+    double m_tauPiece = 0.7, m_pieceSimilarity = 0.5;
+    bool m_useIoV = true, m_useSimilarity = true;
 };
 }  // namespace voxeland

@@ -54,11 +54,12 @@ std::vector<Assignment> CIoUAssociation::associate(const std::vector<OpinionOver
     return assignments;
 }
 
-bool CIoUAssociation::mayMerge(const InstanceOverlap& overlap, const SemanticVoxelMap& map) const
+bool CIoUAssociation::mayMerge(const InstanceOverlap& overlap, const MergeThresholds& thresholds,
+                               const SemanticVoxelMap& map) const
 {
-    return overlap.iou() >= m_tauIoU &&
-           (!m_sameCategory || topCategory(map.instance(overlap.a).categories) ==
-                                   topCategory(map.instance(overlap.b).categories));
+    if (!(overlap.iou() > thresholds.iou)) return false;
+    return !m_sameCategory || topCategory(map.instance(overlap.a).categories) ==
+                                  topCategory(map.instance(overlap.b).categories);
 }
 }  // namespace voxeland
 

@@ -15,7 +15,7 @@ class CIoUAssociation : public CAssociationPolicy
     void declareOptions(OptionList& options) override;
     [[nodiscard]] std::vector<Assignment> associate(const std::vector<OpinionOverlaps>& opinions,
                                                     const SemanticVoxelMap& map) const override;
-    [[nodiscard]] bool mayMerge(const InstanceOverlap& overlap,
+    [[nodiscard]] bool mayMerge(const InstanceOverlap& overlap, const MergeThresholds& thresholds,
                                 const SemanticVoxelMap& map) const override;
 
  private:

@@ -44,7 +44,8 @@ uint8_t CVoxelandMap::serializeGetVersion() const { return 0; }
 void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
 {
     out << m_configText << m_counts.frames << m_counts.framesWithoutPredictions
-        << m_counts.framesWithoutPose << m_counts.predictionsWithoutFrame << m_counts.opinions;
+        << m_counts.framesWithoutPose << m_counts.predictionsWithoutFrame << m_counts.opinions
+        << m_counts.merges << m_counts.splits;
     m_map.writeTo(out);
     m_assembler.writeTo(out);
     out << genericMapParams;
@@ -56,7 +57,7 @@ void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t vers
     CVoxelandMap read;
     in >> read.m_configText >> read.m_counts.frames >> read.m_counts.framesWithoutPredictions >>
         read.m_counts.framesWithoutPose >> read.m_counts.predictionsWithoutFrame >>
-        read.m_counts.opinions;
+        read.m_counts.opinions >> read.m_counts.merges >> read.m_counts.splits;
     read.m_map.readFrom(in);
     read.m_assembler.readFrom(in);
     in >> read.genericMapParams;

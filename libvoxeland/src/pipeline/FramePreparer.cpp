@@ -49,8 +49,8 @@ void FramePreparer::work()
             const std::lock_guard<std::mutex> reading(m_reading);
             {
                 std::unique_lock<std::mutex> lock(m_mutex);
-                m_changed.wait(lock,
-                               [this] { return m_stop || m_nextTicket < m_nextWanted + m_capacity; });
+                m_changed.wait(
+                    lock, [this] { return m_stop || m_nextTicket < m_nextWanted + m_capacity; });
                 if (m_stop) return;
                 ticket = m_nextTicket++;
             }

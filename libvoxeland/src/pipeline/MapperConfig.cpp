@@ -58,6 +58,22 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
 void declare(OptionList& list, RefinementOptions& o)
 {
     list.add("every", o.every, {0, 1e6}, "Frames between two refinements of the map; 0: never");
+    list.add("merge_iou", o.merge.iou, {0, 1},
+             "Instances with a greater intersection over union are merged");
+    list.add("use_ios", o.merge.use_ios,
+             "Also merge instances by intersection over smaller and semantic similarity together");
+    list.add("merge_ios", o.merge.ios, {0, 1}, "Least intersection over smaller for that");
+    list.add("merge_similarity", o.merge.similarity, {0, 1}, "Least semantic similarity for that");
+    list.add("split", o.split, "Divide instances that fell apart");
+    list.add("continuity", o.continuity, "Merge only instances that are connected");
+    list.add("dbscan_eps", o.dbscan_eps, {1, 10},
+             "Voxels up to this far along each axis are neighbours [voxels]");
+    list.add("dbscan_min_points", o.dbscan_min_points, {1, 1000},
+             "Voxels within that neighbourhood that make a voxel a core of a cluster");
+    list.add("min_part_voxels", o.min_part_voxels, {1, 1e6},
+             "Smaller parts do not become instances [voxels]");
+    list.add("min_part_share", o.min_part_share, {0, 1},
+             "Nor do parts with a smaller share of the instance's voxels");
 }
 
 /** A section that names a plugin library, one of its classes, and that class's keys. */

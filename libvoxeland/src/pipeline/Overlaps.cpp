@@ -39,9 +39,12 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
         overlaps.opinion = &opinion;
         overlaps.categories = numbered(opinion.categories, map.categories());
         m_common.clear();
+        uint32_t mapped = 0;
         for (const OpinionVoxel& v : opinion.voxels)
-            if (const VoxelEvidence* evidence = map.evidence(frame.voxels.hits()[v.hit].coord))
+            if (const VoxelEvidence* evidence = map.evidence(frame.voxels.hits()[v.hit].coord)) {
+                ++mapped;
                 for (const auto& e : *evidence) m_common.add(e.instance);
+            }
         for (const instance_id_t id : m_common.counted()) {
             if (id == UNKNOWN_INSTANCE) continue;
             const Instance& instance = map.instance(id);
@@ -51,6 +54,7 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
             o.opinionVoxels = static_cast<uint32_t>(opinion.voxels.size());
             o.instanceVoxels = instance.voxels;
             o.visibleVoxels = m_visible.of(id);
+            o.mappedVoxels = mapped;
             o.similarity = semanticSimilarity(overlaps.categories, instance.categories);
             overlaps.candidates.push_back(o);
         }

@@ -3,6 +3,7 @@
 
 #include "voxeland/errors.h"
 #include "voxeland/pipeline/Integration.h"
+#include "voxeland/pipeline/Refinement.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
@@ -64,6 +65,11 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
     ++counts.frames;
     counts.framesWithoutPredictions += frame.hasPredictions ? 0 : 1;
     counts.opinions += static_cast<uint32_t>(frame.opinions.size());
+    const uint32_t every = m_config.refinement.every;
+    if (every > 0 && counts.frames % every == 0) {
+        const StageTimer timer(frame.times, Stage::refinement);
+        refine(map, *m_config.association, m_config.refinement, counts.frames - every, counts);
+    }
     return frame.times;
 }
 }  // namespace voxeland

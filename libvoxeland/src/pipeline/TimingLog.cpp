@@ -17,8 +17,8 @@ void printRow(std::ostream& out, const char* name, std::vector<double> seconds)
     if (seconds.empty()) return;
     const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
     std::nth_element(seconds.begin(), middle, seconds.end());
-    const double mean = std::accumulate(seconds.begin(), seconds.end(), 0.0) /
-                        static_cast<double>(seconds.size());
+    const double mean =
+        std::accumulate(seconds.begin(), seconds.end(), 0.0) / static_cast<double>(seconds.size());
     out << "  " << std::left << std::setw(14) << name << std::right << std::fixed
         << std::setprecision(3) << std::setw(9) << *middle * MILLISECONDS << std::setw(9)
         << mean * MILLISECONDS << std::setw(9) << seconds.size() << "\n";

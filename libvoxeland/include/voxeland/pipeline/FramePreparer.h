@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/pipeline/SemanticMapper.h"
+
 #include <condition_variable>
 #include <exception>
 #include <functional>
@@ -9,28 +11,28 @@
 #include <thread>
 #include <vector>
 
-#include "voxeland/pipeline/SemanticMapper.h"
-
 namespace voxeland
 {
-/** Reads and prepares frames ahead of mapping in several threads, and gives them back in order: the result
- *  is the same whatever the number of threads. At most two frames a thread are held. */
+/** Reads and prepares frames ahead of mapping in several threads, and gives them back in order: the
+ * result is the same whatever the number of threads. At most two frames a thread are held. */
 class FramePreparer
 {
-   public:
+ public:
     /** Gives the next frame, none at the end; called by one thread at a time. */
     using Source = std::function<std::optional<RgbdFrame>()>;
 
-    /** \param mapper must outlive this \param threads 1: everything happens in next(); 0: one a core */
+    /** \param mapper must outlive this \param threads 1: everything happens in next(); 0: one a
+     * core */
     FramePreparer(const SemanticMapper& mapper, Source source, unsigned threads);
     ~FramePreparer();
     FramePreparer(const FramePreparer&) = delete;
     FramePreparer& operator=(const FramePreparer&) = delete;
 
-    /** The next frame, or none at the end. What reading or preparing it threw is thrown again here. */
+    /** The next frame, or none at the end. What reading or preparing it threw is thrown again here.
+     */
     std::optional<PreparedFrame> next();
 
-   private:
+ private:
     struct Result
     {
         std::optional<PreparedFrame> frame;
@@ -41,8 +43,8 @@ class FramePreparer
 
     const SemanticMapper& m_mapper;
     Source m_source;
-    std::mutex m_reading;        //!< held while the source is read, so that tickets follow its order
-    std::mutex m_mutex;          //!< guards all below
+    std::mutex m_reading;  //!< held while the source is read, so that tickets follow its order
+    std::mutex m_mutex;    //!< guards all below
     std::condition_variable m_changed;
     std::map<size_t, Result> m_ready;
     size_t m_capacity = 0, m_nextTicket = 0, m_nextWanted = 0;

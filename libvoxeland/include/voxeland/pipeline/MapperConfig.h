@@ -32,10 +32,20 @@ struct IntegrationOptions
         0.1;  //!< a voxel this far behind a measured surface counts as seen [m]
 };
 
-/** Section [refinement]: what is done every some frames to mend over- and under-segmentation. */
+/** Section [refinement]: what is done every some frames to mend over- and under-segmentation. Sizes
+ * and distances are in voxels. */
 struct RefinementOptions
 {
-    uint32_t every = 30;  //!< frames between two refinements; 0: never
+    uint32_t every = 30;     //!< frames between two refinements; 0: never
+    MergeThresholds merge;   //!< which instances are one object
+    bool split = true;       //!< divide instances that fell apart
+    bool continuity = true;  //!< merge only what is connected
+    int dbscan_eps = 2;      //!< voxels up to this far along each axis are neighbours
+    uint32_t dbscan_min_points =
+        4;  //!< voxels in the neighbourhood (itself included) that make a core
+    uint32_t min_part_voxels =
+        12;                       //!< least size of a part that becomes an instance of its own ...
+    double min_part_share = 0.1;  //!< ... and its least share of the instance's voxels
 };
 
 /** Everything an INI says about mapping, checked, with the plugins it names. Copies share the

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/pipeline/MapperConfig.h"
+#include "voxeland/pipeline/MappingCounts.h"
 #include "voxeland/pipeline/Overlaps.h"
 #include "voxeland/pipeline/PreparedFrame.h"
 
 namespace voxeland
 {
-/** What went into a map. */
-struct MappingCounts
-{
-    uint32_t frames = 0;                    //!< frames integrated
-    uint32_t framesWithoutPredictions = 0;  //!< of those, frames mapped without any opinion source
-    uint32_t opinions = 0;                  //!< opinions integrated
-    uint32_t framesWithoutPose = 0;         //!< frames skipped: no valid pose was known for them
-    uint32_t predictionsWithoutFrame = 0;   //!< predictions left out: no frame of their timestamp
-};
-
 /** The paper's loop: turns frames into a semantic voxel map. */
 class SemanticMapper
 {

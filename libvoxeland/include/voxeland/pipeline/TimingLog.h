@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/pipeline/StageTimes.h"
+
 #include <iosfwd>
 #include <vector>
-
-#include "voxeland/pipeline/StageTimes.h"
 
 namespace voxeland
 {
 /** CPU time of every frame and stage of a run. */
 class TimingLog
 {
-   public:
+ public:
     void add(const StageTimes& times) { m_frames.push_back(times); }
 
     /** One line a frame: number and milliseconds per stage, with a header line. */
     void writeCsv(std::ostream& out) const;
-    /** Median and mean per stage, and for mapping as a whole (all but decoding), in milliseconds. The times
-     *  of refinement are those of the frames that refined. */
+    /** Median and mean per stage, and for mapping as a whole (all but decoding), in milliseconds.
+     * The times of refinement are those of the frames that refined. */
     void printSummary(std::ostream& out) const;
 
-   private:
+ private:
     std::vector<StageTimes> m_frames;
 };
 }  // namespace voxeland

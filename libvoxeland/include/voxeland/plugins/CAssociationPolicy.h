@@ -37,6 +37,7 @@ class CAssociationPolicy : public Plugin
     /** Whether two map instances that share voxels are one object, as far as overlap and categories
      * say. Asked during refinement; continuity is verified afterwards. */
     [[nodiscard]] virtual bool mayMerge(const InstanceOverlap& overlap,
+                                        const MergeThresholds& thresholds,
                                         const SemanticVoxelMap& map) const = 0;
 };
 }  // namespace abi_1

@@ -17,6 +17,8 @@ struct Overlap
     uint32_t opinionVoxels = 0;   //!< voxels of the opinion
     uint32_t instanceVoxels = 0;  //!< voxels of the instance
     uint32_t visibleVoxels = 0;   //!< voxels of the instance that the camera sees now
+    uint32_t mappedVoxels = 0;    //!< voxels of the opinion where the map had evidence before, for
+                                  //!< whatever instance
     double similarity = 0;        //!< S_sem, see semanticSimilarity()
 
     /** Intersection over union, in [0,1]. */
@@ -25,11 +27,20 @@ struct Overlap
         return static_cast<double>(intersection) /
                static_cast<double>(opinionVoxels + instanceVoxels - intersection);
     }
-    /** Intersection over visible, in [0,1] (paper, "Data Association"). */
+    /** Intersection over visible, in [0,1] (paper, "Data Association"): how much of what could be
+     * seen of the instance the opinion covers. */
     [[nodiscard]] double iov() const
     {
         return static_cast<double>(intersection) /
                static_cast<double>(std::max(visibleVoxels, intersection));
+    }
+    /** Intersection over mapped, in (0,1]: how much of what the map knew of the opinion's place
+     * belongs to the instance. The mirror image of iov(): without it a table's mask would match the
+     * cup that stands on the table, all of whose visible voxels it covers. */
+    [[nodiscard]] double iom() const
+    {
+        return static_cast<double>(intersection) /
+               static_cast<double>(std::max(mappedVoxels, intersection));
     }
 };
 
@@ -58,5 +69,15 @@ struct InstanceOverlap
     {
         return static_cast<double>(intersection) / static_cast<double>(std::min(voxelsA, voxelsB));
     }
+};
+
+/** Section [refinement]: when two map instances are one object (paper, "Multi-instance
+ * Integration"). */
+struct MergeThresholds
+{
+    double iou = 0.8;         //!< dominant geometric match: intersection over union above this
+    bool use_ios = true;      //!< also merge by hybrid validation, that is:
+    double ios = 0.5;         //!< least intersection over smaller, together with ...
+    double similarity = 0.5;  //!< ... least semantic similarity
 };
 }  // namespace voxeland

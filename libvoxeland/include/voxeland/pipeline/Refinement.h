@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/pipeline/MapperConfig.h"
+#include "voxeland/pipeline/MappingCounts.h"
+
+namespace voxeland
+{
+/** Mends over- and under-segmentation (paper, "Intra-instance Geometric Division" and
+ * "Multi-instance Integration"): divides instances whose voxels fell apart, then merges instances
+ * that are one object. Cost: the voxels of the instances seen since `sinceFrame`, whatever the size
+ * of the map. \param counts splits and merges are counted there */
+void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
+            const RefinementOptions& options, uint32_t sinceFrame, MappingCounts& counts);
+}  // namespace voxeland

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/pipeline/Refinement.h"
+
+#include "voxeland/grid/DensityClustering.h"
+
+#include <algorithm>
+#include <map>
+
+namespace voxeland
+{
+namespace
+{
+using IdPair = std::pair<instance_id_t, instance_id_t>;
+
+/** Voxels an instance wins, with its evidence there as weight. */
+std::vector<WeightedCell> wonVoxels(const SemanticVoxelMap& map, instance_id_t id,
+                                    const RefinementOptions& options)
+{
+    std::vector<WeightedCell> won;
+    for (const VoxelCoord& b : map.instance(id).blocks) {
+        const MapBlock& block = *map.blocks().find(b);
+        block.forEachSurface([&](int cell, const VoxelEvidence& evidence) {
+            if (evidence.winner() == id && OccupancyFilter::isOccupied(block.occupancy(cell)))
+                won.push_back({voxelAt(b, cell), 1, static_cast<float>(options.dbscan_min_points)});
+        });
+    }
+    return won;
+}
+
+std::vector<instance_id_t> instancesSeenSince(const SemanticVoxelMap& map, uint32_t frame)
+{
+    std::vector<instance_id_t> ids;
+    for (const auto& [id, instance] : map.instances())
+        if (instance.lastFrame >= frame) ids.push_back(id);
+    return ids;
+}
+
+/** The voxels of each cluster, the largest cluster first. */
+std::vector<std::vector<VoxelCoord>> partsOf(const std::vector<WeightedCell>& voxels, int radius)
+{
+    const std::vector<int> clusters = clusterByDensity(voxels, radius);
+    std::vector<std::vector<VoxelCoord>> parts;
+    for (size_t i = 0; i < voxels.size(); ++i) {
+        if (clusters[i] < 0) continue;
+        const auto c = static_cast<size_t>(clusters[i]);
+        if (c >= parts.size()) parts.resize(c + 1);
+        parts[c].push_back(voxels[i].coord);
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    return parts;
+}
+
+double evidenceFor(const SemanticVoxelMap& map, instance_id_t id,
+                   const std::vector<VoxelCoord>& voxels)
+{
+    double sum = 0;
+    for (const VoxelCoord& v : voxels) sum += static_cast<double>(map.evidence(v)->alphaOf(id));
+    return sum;
+}
+
+/** Gives every sizeable part but the largest to a new instance. \return how many there were */
+uint32_t divide(SemanticVoxelMap& map, instance_id_t id, const RefinementOptions& options)
+{
+    const std::vector<WeightedCell> won = wonVoxels(map, id, options);
+    const auto parts = partsOf(won, options.dbscan_eps);
+    const size_t sizeable =
+        std::max(static_cast<size_t>(options.min_part_voxels),
+                 static_cast<size_t>(options.min_part_share * static_cast<double>(won.size())));
+    double total = 0;
+    for (const auto& part : parts) total += evidenceFor(map, id, part);
+    uint32_t divided = 0;
+    for (size_t p = 1; p < parts.size() && parts[p].size() >= sizeable; ++p, ++divided) {
+        const double part = evidenceFor(map, id, parts[p]);
+        map.split(id, parts[p], part / total);
+        total -= part;
+    }
+    return divided;
+}
+
+/** Overlaps of the given instances with all others, from one pass over the voxels they share. */
+std::vector<InstanceOverlap> overlapsOf(const SemanticVoxelMap& map,
+                                        const std::vector<instance_id_t>& ids)
+{
+    std::set<VoxelCoord> blocks;
+    for (const instance_id_t id : ids) {
+        const auto& own = map.instance(id).blocks;
+        blocks.insert(own.begin(), own.end());
+    }
+    std::map<IdPair, uint32_t> shared;
+    for (const VoxelCoord& b : blocks)
+        map.blocks().find(b)->forEachSurface([&](int, const VoxelEvidence& evidence) {
+            for (const auto* i = evidence.begin(); i != evidence.end(); ++i)
+                for (const auto* j = i + 1; j != evidence.end(); ++j)
+                    if (i->instance != UNKNOWN_INSTANCE) ++shared[{i->instance, j->instance}];
+        });
+    std::vector<InstanceOverlap> overlaps;
+    for (const auto& [pair, intersection] : shared) {
+        // A pair of two instances that were not seen lately was counted only in part.
+        const bool complete = std::binary_search(ids.begin(), ids.end(), pair.first) ||
+                              std::binary_search(ids.begin(), ids.end(), pair.second);
+        if (!complete) continue;
+        const Instance& a = map.instance(pair.first);
+        const Instance& b = map.instance(pair.second);
+        overlaps.push_back({a.id, b.id, intersection, a.voxels, b.voxels,
+                            semanticSimilarity(a.categories, b.categories)});
+    }
+    std::stable_sort(overlaps.begin(), overlaps.end(),
+                     [](const auto& a, const auto& b) { return a.ios() > b.ios(); });
+    return overlaps;
+}
+
+/** Whether the main parts of two instances are one part once they are put together. */
+bool areConnected(const SemanticVoxelMap& map, const InstanceOverlap& overlap,
+                  const RefinementOptions& options)
+{
+    std::vector<WeightedCell> both = wonVoxels(map, overlap.a, options);
+    const size_t voxelsOfA = both.size();
+    const auto ofB = wonVoxels(map, overlap.b, options);
+    both.insert(both.end(), ofB.begin(), ofB.end());
+    if (voxelsOfA == 0 || ofB.empty()) return true;  // nothing of one is left to lie apart
+    const std::vector<int> clusters = clusterByDensity(both, options.dbscan_eps);
+    const auto middle = static_cast<std::ptrdiff_t>(voxelsOfA);
+    const int mainOfA = heaviestCluster({both.begin(), both.begin() + middle},
+                                        {clusters.begin(), clusters.begin() + middle});
+    const int mainOfB = heaviestCluster({both.begin() + middle, both.end()},
+                                        {clusters.begin() + middle, clusters.end()});
+    return mainOfA == mainOfB;
+}
+}  // namespace
+
+void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
+            const RefinementOptions& options, uint32_t sinceFrame, MappingCounts& counts)
+{
+    if (options.split)
+        for (const instance_id_t id : instancesSeenSince(map, sinceFrame))
+            counts.splits += divide(map, id, options);
+
+    for (const InstanceOverlap& overlap : overlapsOf(map, instancesSeenSince(map, sinceFrame))) {
+        // Overlaps of an instance that took part in a merge are measured anew the next time.
+        const bool current = map.instances().count(overlap.a) != 0 &&
+                             map.instances().count(overlap.b) != 0 &&
+                             map.instance(overlap.a).voxels == overlap.voxelsA &&
+                             map.instance(overlap.b).voxels == overlap.voxelsB;
+        if (!current || !policy.mayMerge(overlap, options.merge, map)) continue;
+        if (options.continuity && !areConnected(map, overlap, options)) continue;
+        const bool keepA = overlap.voxelsA >= overlap.voxelsB;
+        map.merge(keepA ? overlap.a : overlap.b, keepA ? overlap.b : overlap.a);
+        ++counts.merges;
+    }
+}
+}  // namespace voxeland
