@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/map/SemanticVoxelMap.h"
+
+#include <random>
+#include <vector>
+
+namespace voxeland::test
+{
+/** Ids of the live instances. */
+inline std::vector<instance_id_t> liveIds(const SemanticVoxelMap& map)
+{
+    std::vector<instance_id_t> ids;
+    for (const auto& [id, instance] : map.instances()) ids.push_back(id);
+    return ids;
+}
+
+/** One of the live instances, or UNKNOWN_INSTANCE if there is none. */
+inline instance_id_t anyInstance(const SemanticVoxelMap& map, std::mt19937& random)
+{
+    const auto ids = liveIds(map);
+    if (ids.empty()) return UNKNOWN_INSTANCE;
+    return ids[std::uniform_int_distribution<size_t>(0, ids.size() - 1)(random)];
+}
+
+/** Voxels with evidence for an instance. */
+inline std::vector<VoxelCoord> voxelsOf(const SemanticVoxelMap& map, instance_id_t id)
+{
+    std::vector<VoxelCoord> voxels;
+    map.forEachVoxel(
+        [&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
+            if (evidence.alphaOf(id) > 0) voxels.push_back(v);
+        },
+        false);
+    return voxels;
+}
+
+/** One random change of a map: evidence, a new instance, a merge, a split or a drop. */
+inline void changeAtRandom(SemanticVoxelMap& map, std::mt19937& random)
+{
+    std::uniform_int_distribution<int> kind(0, 99);
+    std::uniform_int_distribution<int32_t> place(-12, 12);
+    const int what = kind(random);
+    if (what < 85) {
+        const bool unknown = kind(random) < 30;
+        const auto weight = static_cast<float>(1 + kind(random));
+        map.addEvidence({place(random), place(random) / 3, place(random) / 3},
+                        unknown ? UNKNOWN_INSTANCE : anyInstance(map, random), weight);
+    } else if (what < 91) {
+        Instance& i = map.createInstance();
+        i.categories.add(map.categories().add("category" + std::to_string(kind(random) % 7)), 0.5);
+        i.observations = 1;
+    } else if (what < 94 && map.instances().size() >= 2) {
+        const instance_id_t a = anyInstance(map, random), b = anyInstance(map, random);
+        if (a != b) map.merge(a, b);
+    } else if (what < 98 && !map.instances().empty()) {
+        const instance_id_t id = anyInstance(map, random);
+        auto part = voxelsOf(map, id);
+        part.resize(part.size() / 3);
+        map.split(id, part, 0.25);
+    } else if (!map.instances().empty()) {
+        map.drop(anyInstance(map, random));
+    }
+}
+}  // namespace voxeland::test

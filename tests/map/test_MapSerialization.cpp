@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapBuilding.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <string>
+
+using namespace voxeland;
+
+namespace
+{
+std::string bytesOf(const SemanticVoxelMap& map)
+{
+    mrpt::io::CMemoryStream stream;
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    map.writeTo(archive);
+    return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
+}
+
+SemanticVoxelMap mapFrom(const std::string& bytes)
+{
+    mrpt::io::CMemoryStream stream;
+    stream.Write(bytes.data(), bytes.size());
+    stream.Seek(0);
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    SemanticVoxelMap map;
+    map.readFrom(archive);
+    return map;
+}
+
+/** A map with a history: merges, splits, drops, more than four instances in a voxel. */
+SemanticVoxelMap eventfulMap()
+{
+    MapOptions options;
+    options.resolution = 0.07;
+    options.prior_strength = 1.5;
+    options.entropy = EntropyMeasure::paper;
+    options.occupancy.prob_hit = 0.8;
+    SemanticVoxelMap map(options);
+    std::mt19937 random(41);
+    for (int i = 0; i < 3000; ++i) test::changeAtRandom(map, random);
+    for (int i = 0; i < 9; ++i) map.addEvidence({3, 3, 3}, map.createInstance().id, 0.125F);
+    map.instance(test::liveIds(map).back()).tracks = {-5, 3};
+    for (int cell = 0; cell < BLOCK_CELLS; cell += 3)
+        map.blocks().at({-7, 2, 0}).setOccupancy(cell, static_cast<log_odds_t>(cell - 200));
+    return map;
+}
+}  // namespace
+
+TEST(MapSerialization, ReadingAndWritingAgainGivesTheSameBytes)
+{
+    const std::string once = bytesOf(eventfulMap());
+    EXPECT_EQ(bytesOf(mapFrom(once)), once);
+    EXPECT_EQ(bytesOf(mapFrom(bytesOf(SemanticVoxelMap()))), bytesOf(SemanticVoxelMap()));
+}
+
+TEST(MapSerialization, ReadsBackWhatWasWritten)
+{
+    const SemanticVoxelMap map = eventfulMap(), read = mapFrom(bytesOf(map));
+    EXPECT_EQ(read.options().resolution, 0.07);
+    EXPECT_EQ(read.options().prior_strength, 1.5);
+    EXPECT_EQ(read.options().entropy, EntropyMeasure::paper);
+    EXPECT_EQ(read.options().occupancy.prob_hit, 0.8);
+    EXPECT_EQ(read.categories().names(), map.categories().names());
+    EXPECT_EQ(read.evidence({3, 3, 3})->size(), map.evidence({3, 3, 3})->size());
+    EXPECT_EQ(read.occupancy(voxelAt({-7, 2, 0}, 300)), 100);
+    EXPECT_EQ(read.occupancy(voxelAt({-7, 2, 0}, 301)), UNOBSERVED);
+    ASSERT_EQ(test::liveIds(read), test::liveIds(map));
+    for (const auto& [id, instance] : map.instances()) {
+        EXPECT_EQ(read.instance(id).voxels, instance.voxels);
+        EXPECT_EQ(read.instance(id).observations, instance.observations);
+        EXPECT_EQ(read.instance(id).tracks, instance.tracks);
+        EXPECT_EQ(read.instance(id).blocks, instance.blocks);
+        EXPECT_EQ(read.instance(id).categories.total(), instance.categories.total());
+    }
+    for (instance_id_t id = 1; id < 400; ++id) EXPECT_EQ(read.resolve(id), map.resolve(id));
+}
+
+TEST(MapSerialization, MappingGoesOnAsIfNothingHadHappened)
+{
+    SemanticVoxelMap straight = eventfulMap(), resumed = mapFrom(bytesOf(straight));
+    std::mt19937 randomA(42), randomB(42);
+    for (int i = 0; i < 1000; ++i) {
+        test::changeAtRandom(straight, randomA);
+        test::changeAtRandom(resumed, randomB);
+    }
+    EXPECT_EQ(bytesOf(straight), bytesOf(resumed));
+}
+
+TEST(MapSerialization, ContentDecidesTheBytesNotTheOrderOfBlocks)
+{
+    SemanticVoxelMap a, b;
+    const std::vector<VoxelCoord> voxels = {{0, 0, 0}, {100, -3, 2}, {-50, 0, 9}};
+    for (auto v = voxels.begin(); v != voxels.end(); ++v) a.addEvidence(*v, 0, 1);
+    for (auto v = voxels.rbegin(); v != voxels.rend(); ++v) b.addEvidence(*v, 0, 1);
+    EXPECT_EQ(bytesOf(a), bytesOf(b));
+}
+
+TEST(MapSerialization, CutOrForeignBytesAreRefused)
+{
+    const std::string bytes = bytesOf(eventfulMap());
+    for (const size_t length :
+         {size_t{0}, size_t{1}, size_t{40}, bytes.size() / 2, bytes.size() - 8})
+        EXPECT_ANY_THROW(mapFrom(bytes.substr(0, length))) << length;
+    std::string newer = bytes;
+    newer[0] = 99;
+    EXPECT_THROW(mapFrom(newer), std::runtime_error);
+}
