@@ -141,10 +141,14 @@ void RawlogFrameSource::takeScan(const CObservation::Ptr& observation)
     if (label.empty()) label = observation->sensorLabel;
     if (label != observation->sensorLabel) return;
     const uint32_t number = m_framesMet++;
-    m_beyondRange = number > m_range.to;
-    const bool wanted = number >= m_range.from && !m_beyondRange &&
+    // Poses and predictions of the last frames may come as late as for any other frame.
+    m_beyondRange = number > m_range.to && number - m_range.to >= m_options.prediction_wait;
+    const bool wanted = number >= m_range.from && number <= m_range.to &&
                         (number - m_range.from) % m_range.every == 0;
-    if (!wanted) return;
+    if (!wanted) {
+        m_assembler.skipScan(observation->timestamp);
+        return;
+    }
     readSidecar(observation->timestamp);
     m_assembler.addScan(std::dynamic_pointer_cast<CObservation3DRangeScan>(observation));
 }

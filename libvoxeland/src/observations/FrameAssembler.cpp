@@ -15,7 +15,16 @@ void FrameAssembler::addScan(std::shared_ptr<const CObservation3DRangeScan> scan
 
 void FrameAssembler::addInstances(std::shared_ptr<const CObservationInstances> instances)
 {
+    if (m_skipped.erase(instances->timestamp) > 0) return;
     m_instances[instances->timestamp] = std::move(instances);
+    forgetOldPredictions();
+}
+
+void FrameAssembler::skipScan(const mrpt::Clock::time_point& time)
+{
+    if (m_instances.erase(time) > 0) return;
+    m_skipped.insert(time);
+    while (m_skipped.size() > m_patience + 1) m_skipped.erase(m_skipped.begin());
 }
 
 std::optional<RgbdFrame> FrameAssembler::next()
@@ -33,8 +42,10 @@ std::optional<RgbdFrame> FrameAssembler::next()
             frame.instances = instances->second;
             m_instances.erase(instances);
         }
-        forgetOld(scan->timestamp);
+        // Sensors that share a rawlog may be out of order by a little.
+        m_poses.forgetBefore(scan->timestamp - std::chrono::seconds(10));
         m_scans.pop_front();
+        forgetOldPredictions();
         if (pose) frame.robotPose = mrpt::poses::CPose3D(*pose);
         if (pose && isValidPose(frame.robotPose)) return frame;
         ++m_counts.framesWithoutPose;
@@ -46,12 +57,10 @@ std::optional<RgbdFrame> FrameAssembler::next()
     return std::nullopt;
 }
 
-void FrameAssembler::forgetOld(const mrpt::Clock::time_point& now)
+void FrameAssembler::forgetOldPredictions()
 {
-    // Sensors that share a rawlog may be out of order by a little.
-    m_poses.forgetBefore(now - std::chrono::seconds(10));
     // Predictions may run ahead of their scans, but not by more than scans wait for them.
-    while (m_instances.size() > m_patience + 1) {
+    while (m_instances.size() > m_scans.size() + m_patience + 1) {
         m_instances.erase(m_instances.begin());
         ++m_counts.predictionsWithoutFrame;
     }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "voxeland/observations/PoseTrack.h"
 #include "voxeland/observations/RgbdFrame.h"
@@ -35,12 +36,22 @@ class FrameAssembler
     {
     }
 
+    /** Changes what the constructor was given; what waits stays. */
+    void setLimits(uint32_t patience, double maxPoseGap)
+    {
+        m_patience = patience;
+        m_poses.setMaxGap(maxPoseGap);
+    }
+
     void addPose(const mrpt::Clock::time_point& time, const mrpt::math::TPose3D& pose)
     {
         m_poses.add(time, pose);
     }
     void addScan(std::shared_ptr<const mrpt::obs::CObservation3DRangeScan> scan);
     void addInstances(std::shared_ptr<const CObservationInstances> instances);
+    /** Says that the scan of this time is left out on purpose: its predictions, come already or to
+     *  come soon, are not counted as being without a frame. */
+    void skipScan(const mrpt::Clock::time_point& time);
     /** Nothing more will come: next() gives what is left, complete or not. */
     void finish() { m_finished = true; }
 
@@ -56,11 +67,12 @@ class FrameAssembler
     void readFrom(mrpt::serialization::CArchive& in);
 
    private:
-    void forgetOld(const mrpt::Clock::time_point& now);
+    void forgetOldPredictions();
 
     uint32_t m_patience;
     PoseTrack m_poses;
     bool m_finished = false;
+    std::set<mrpt::Clock::time_point> m_skipped;  //!< skipScan() without predictions yet
     std::deque<std::shared_ptr<const mrpt::obs::CObservation3DRangeScan>> m_scans;
     std::map<mrpt::Clock::time_point, std::shared_ptr<const CObservationInstances>> m_instances;
     Counts m_counts;
