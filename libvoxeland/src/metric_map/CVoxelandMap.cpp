@@ -7,6 +7,7 @@
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <limits>
 #include <sstream>
 
 #include "voxeland/errors.h"
@@ -37,9 +38,7 @@ void CVoxelandMap::setConfig(const MapperConfig& config)
     }
     m_configText = config.reproducibleText();
     m_mapper.emplace(config);
-    if (m_assembler.empty())
-        m_assembler =
-            FrameAssembler(config.input.prediction_wait, PoseTrack(config.input.max_pose_gap));
+    m_assembler.setLimits(config.input.prediction_wait, config.input.max_pose_gap);
 }
 
 const SemanticMapper& CVoxelandMap::mapper()
@@ -59,10 +58,8 @@ void CVoxelandMap::flush()
 {
     m_assembler.finish();
     mapCompleteFrames();
-    const auto skipped = m_assembler.counts();
-    m_assembler = FrameAssembler(mapper().config().input.prediction_wait,
-                                 PoseTrack(mapper().config().input.max_pose_gap));
-    addSkipped(skipped);
+    addSkipped(m_assembler.counts());
+    startAssembler();
 }
 
 void CVoxelandMap::addSkipped(const FrameAssembler::Counts& skipped)
@@ -81,7 +78,13 @@ void CVoxelandMap::internal_clear()
     m_map.clear();
     m_counts = {};
     m_points.reset();
-    m_assembler = FrameAssembler(InputOptions().prediction_wait, PoseTrack(InputOptions().max_pose_gap));
+    startAssembler();
+}
+
+void CVoxelandMap::startAssembler()
+{
+    const InputOptions input = m_mapper ? m_mapper->config().input : InputOptions();
+    m_assembler = FrameAssembler(input.prediction_wait, PoseTrack(input.max_pose_gap));
 }
 
 bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
@@ -121,7 +124,9 @@ void CVoxelandMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const
     voxels->setVisualizationMode(mrpt::opengl::COctoMapVoxels::FIXED);
     voxels->resizeVoxelSets(1);
     voxels->showVoxels(0, true);
-    mrpt::math::TPoint3D least(0, 0, 0), most(0, 0, 0);
+    constexpr double INF = std::numeric_limits<double>::infinity();
+    const double half = m_map.resolution() / 2;
+    mrpt::math::TPoint3D least(INF, INF, INF), most(-INF, -INF, -INF);
     m_map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
         const auto center = voxelCenter<mrpt::math::TPoint3D>(v, m_map.resolution());
         const Color c = instanceColor(evidence.winner());
@@ -129,11 +134,11 @@ void CVoxelandMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const
             0, {mrpt::math::TPoint3Df(center), static_cast<float>(m_map.resolution()),
                 mrpt::img::TColor(c.red, c.green, c.blue)});
         for (size_t a = 0; a < 3; ++a) {
-            least[a] = std::min(least[a], center[a]);
-            most[a] = std::max(most[a], center[a]);
+            least[a] = std::min(least[a], center[a] - half);
+            most[a] = std::max(most[a], center[a] + half);
         }
     });
-    voxels->setBoundingBox(least, most);
+    if (least.x <= most.x) voxels->setBoundingBox(least, most);
     out.insert(voxels);
 }
 

@@ -95,6 +95,7 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     bool internal_canComputeObservationLikelihood(
         const mrpt::obs::CObservation& observation) const override;
     void mapCompleteFrames();
+    void startAssembler();
 
     std::string m_configText;
     SemanticVoxelMap m_map;
