@@ -6,7 +6,9 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 using mrpt::math::TPoint3D;
 
@@ -168,7 +170,9 @@ std::vector<int32_t> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
                 static_cast<float>(origin.y * edges - base.y),
                 static_cast<float>(origin.z * edges - base.z)};
     u.unit = scan.rangeUnits;
-    u.nearest = static_cast<float>(limits.min_depth);
+    // Zero means not measured, even where there is no lower limit.
+    u.nearest =
+        std::max(static_cast<float>(limits.min_depth), std::numeric_limits<float>::min());
     u.farthest = static_cast<float>(limits.max_depth);
 
     std::vector<int32_t> hitOfPixel(rows * columns);
