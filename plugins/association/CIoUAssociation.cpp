@@ -18,6 +18,11 @@ category_id_t topCategory(const CategoryEvidence& evidence)
                             [](const auto& a, const auto& b) { return a.beta < b.beta; })
         ->category;
 }
+
+bool haveSameTopCategory(const CategoryEvidence& a, const CategoryEvidence& b)
+{
+    return !a.empty() && !b.empty() && topCategory(a) == topCategory(b);
+}
 }  // namespace
 
 std::string CIoUAssociation::description() const
@@ -42,7 +47,7 @@ std::vector<Assignment> CIoUAssociation::associate(const std::vector<OpinionOver
         double bestIoU = m_tauIoU;
         for (const Overlap& candidate : o.candidates) {
             const CategoryEvidence& known = map.instance(candidate.instance).categories;
-            if (m_sameCategory && topCategory(known) != topCategory(o.categories)) continue;
+            if (m_sameCategory && !haveSameTopCategory(known, o.categories)) continue;
             const bool better = best.instance == UNKNOWN_INSTANCE ? candidate.iou() >= bestIoU
                                                                   : candidate.iou() > bestIoU;
             if (!better) continue;
@@ -58,8 +63,8 @@ bool CIoUAssociation::mayMerge(const InstanceOverlap& overlap, const MergeThresh
                                const SemanticVoxelMap& map) const
 {
     if (!(overlap.iou() > thresholds.iou)) return false;
-    return !m_sameCategory || topCategory(map.instance(overlap.a).categories) ==
-                                  topCategory(map.instance(overlap.b).categories);
+    return !m_sameCategory || haveSameTopCategory(map.instance(overlap.a).categories,
+                                                  map.instance(overlap.b).categories);
 }
 }  // namespace voxeland
 
