@@ -91,10 +91,11 @@ struct PluginSection
           className(std::move(defaultClass))
     {
         // These two decide which other keys there are, so they are read first.
-        for (const std::string& key : ini.keys(section)) {
-            if (key == "plugin") library = ini.value(section, key);
-            if (key == "class") className = ini.value(section, key);
-        }
+        OptionList choice;
+        std::vector<std::string> reportedLater;
+        choice.add("plugin", library, "");
+        choice.add("class", className, "");
+        choice.load(ini, section, reportedLater);
         if (!library.empty()) loadPlugin(library, pluginSearchPath(ini.folder()));
         object = createPlugin<Base>(className);
         options.add("plugin", library, "Plugin library; empty: the class is already loaded");

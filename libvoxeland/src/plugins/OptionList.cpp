@@ -107,7 +107,7 @@ void OptionList::addNumber(const std::string& key, Number& variable, const Range
             double value = 0;
             std::istringstream in(text);
             if (!(in >> value) || !(in >> std::ws).eof())
-                return "is not a number (comments behind a value start with ' //')";
+                return "is not a number";
             if (std::numeric_limits<Number>::is_integer && value != std::floor(value))
                 return "is not a whole number";
             if (!(value >= range.least && value <= range.most))
@@ -154,8 +154,10 @@ void OptionList::load(const Ini& ini, const std::string& section,
         }
         const std::string value = ini.value(section, key);
         const std::string wrong = option->parse(value);
-        if (!wrong.empty())
-            problems.push_back("[" + section + "] " + option->key + " = '" + value + "' " + wrong);
+        if (wrong.empty()) continue;
+        problems.push_back("[" + section + "] " + option->key + " = '" + value + "' " + wrong);
+        if (value.find('#') != std::string::npos)
+            problems.back() += " (comments behind a value start with ' //')";
     }
 }
 
