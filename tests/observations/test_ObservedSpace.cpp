@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/Frames.h"
+#include "voxeland/observations/ObservedSpace.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+using namespace voxeland;
+using mrpt::math::TPoint3D;
+
+namespace
+{
+constexpr double RESOLUTION = 0.1;
+
+enum class Seen
+{
+    hit,
+    passed,
+    behind
+};
+
+std::set<VoxelCoord> voxelsOf(const ObservedSpace& space, Seen what)
+{
+    std::set<VoxelCoord> voxels;
+    for (size_t b = 0; b < space.size(); ++b) {
+        const ObservedBlock& block = space[b];
+        const CellMask& mask = what == Seen::hit      ? block.hit
+                               : what == Seen::passed ? block.passed
+                                                      : block.behind;
+        mask.forEach([&](int cell) { voxels.insert(voxelAt(space.coordOf(b), cell)); });
+    }
+    return voxels;
+}
+
+VoxelizedFrame frameOf(const test::DepthOfPixel& depth, const mrpt::poses::CPose3D& pose = {})
+{
+    return VoxelizedFrame({test::makeScan(depth), nullptr, pose}, RESOLUTION, {});
+}
+
+/** Voxels that points sampled finely along a segment fall in. */
+void sample(const TPoint3D& from, const TPoint3D& to, std::set<VoxelCoord>& voxels)
+{
+    constexpr int SAMPLES = 4000;
+    for (int i = 0; i <= SAMPLES; ++i)
+        voxels.insert(
+            voxelOf(from + (to - from) * (static_cast<double>(i) / SAMPLES), 1 / RESOLUTION));
+}
+}  // namespace
+
+TEST(ObservedSpace, HitsAreTheVoxelsOfTheFrame)
+{
+    const auto frame = frameOf([](int c, int r) { return 1.52 + 0.01 * c - 0.007 * r; });
+    std::set<VoxelCoord> expected;
+    for (const HitVoxel& h : frame.hits()) expected.insert(h.coord);
+    EXPECT_EQ(voxelsOf(castRays(frame, 0), Seen::hit), expected);
+}
+
+TEST(ObservedSpace, OnePixelSeesOneRay)
+{
+    // The ray of pixel (39, 29) leaves the axis by 0.5 / 40 = 1/80 to the left and up.
+    const auto frame = frameOf([](int c, int r) { return c == 39 && r == 29 ? 1.05 : 0.0; },
+                               mrpt::poses::CPose3D(-0.55, -0.05, -0.05, 0, 0, 0));
+    const auto space = castRays(frame, 0.25);
+    std::set<VoxelCoord> passed, behind;
+    for (int x = -6; x < 5; ++x) passed.insert({x, -1, -1});  // 5 mm per 40 cm: stays in the row
+    for (int x = 5; x <= 7; ++x) behind.insert({x, -1, -1});
+    EXPECT_EQ(voxelsOf(space, Seen::hit), (std::set<VoxelCoord>{{5, -1, -1}}));
+    EXPECT_EQ(voxelsOf(space, Seen::passed), passed);
+    EXPECT_EQ(voxelsOf(space, Seen::behind), behind);
+}
+
+TEST(ObservedSpace, AgreesWithBruteForce)
+{
+    const double margin = 0.25;
+    const auto frame =
+        frameOf([](int c, int r) { return 1.1 + (c > 30 && c < 50 ? 0.0 : 0.7) + 0.004 * r; },
+                mrpt::poses::CPose3D(-1.03, 2.04, -0.55, 2.1, 0.3, -0.2));
+    std::set<VoxelCoord> hits, passed, behind;
+    for (const HitVoxel& h : frame.hits()) {
+        hits.insert(h.coord);
+        sample(frame.origin(), h.centroid, passed);
+        const TPoint3D direction = (h.centroid - frame.origin()).unitarize();
+        sample(h.centroid, h.centroid + direction * margin, behind);
+    }
+    for (const VoxelCoord& v : hits) passed.erase(v);
+    const auto space = castRays(frame, margin);
+    const auto foundPassed = voxelsOf(space, Seen::passed),
+               foundBehind = voxelsOf(space, Seen::behind);
+    // A sample may step over the corner of a voxel, never the other way round.
+    for (const auto& v : passed) ASSERT_EQ(foundPassed.count(v), 1u);
+    for (const auto& v : behind) ASSERT_EQ(foundBehind.count(v), 1u);
+    EXPECT_LE(foundPassed.size(), passed.size() * 1.01);
+    EXPECT_LE(foundBehind.size(), behind.size() * 1.02);
+}
+
+TEST(ObservedSpace, AMeasuredVoxelIsNeverFree)
+{
+    // A slanted surface: rays to its far end pass through voxels hit nearer by.
+    const auto space = castRays(
+        frameOf([](int, int r) { return 1.2 / (0.1 + std::max(0, r - 29) / 40.0 * 0.8); }), 0.1);
+    for (size_t b = 0; b < space.size(); ++b) {
+        EXPECT_FALSE((space[b].hit & space[b].passed).any());
+        EXPECT_EQ(space[b].visible(), space[b].hit | space[b].passed | space[b].behind);
+    }
+}
+
+TEST(ObservedSpace, AFrameWithoutPointsSeesNothing)
+{
+    EXPECT_EQ(castRays(frameOf([](int, int) { return 0.0; }), 0.1).size(), 0u);
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/Frames.h"
+#include "voxeland/errors.h"
+#include "voxeland/observations/VoxelizedFrame.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace voxeland;
+using mrpt::math::TPoint3D;
+using mrpt::obs::CObservation3DRangeScan;
+using mrpt::poses::CPose3D;
+using voxeland::test::makeScan;
+
+namespace
+{
+constexpr double RESOLUTION = 0.05;
+
+RgbdFrame frameOf(std::shared_ptr<const CObservation3DRangeScan> scan, const CPose3D& pose = {})
+{
+    return {std::move(scan), nullptr, pose};
+}
+
+struct Expected
+{
+    uint32_t points = 0;
+    TPoint3D sum;
+};
+
+/** Unprojects pixel by pixel in double precision. Points within rounding of a voxel's boundary may
+ *  go either way: their pixels count in `uncertain`. */
+struct BruteForce
+{
+    std::map<VoxelCoord, Expected> voxels;
+    std::set<VoxelCoord> uncertain;
+
+    BruteForce(const CObservation3DRangeScan& scan, const CPose3D& sensorPose, double resolution,
+               const DepthLimits& limits)
+    {
+        for (int row = 0; row < test::ROWS; ++row)
+            for (int column = 0; column < test::COLUMNS; ++column) {
+                const double range =
+                    scan.rangeImage(row, column) * static_cast<double>(scan.rangeUnits);
+                TPoint3D p(1, -(column - test::CENTER_X) / test::FOCAL,
+                           -(row - test::CENTER_Y) / test::FOCAL);
+                p *= scan.range_is_depth ? range : range / p.norm();
+                if (range == 0 || range < limits.min_depth || range > limits.max_depth) continue;
+                p = sensorPose.composePoint(p);
+                const VoxelCoord v = voxelOf(p, 1 / resolution);
+                ++voxels[v].points;
+                voxels[v].sum += p;
+                for (size_t a = 0; a < 3; ++a)
+                    for (const double shift : {-2e-5, 2e-5}) {
+                        TPoint3D moved = p;
+                        moved[a] += shift;
+                        const VoxelCoord other = voxelOf(moved, 1 / resolution);
+                        if (other == v) continue;
+                        uncertain.insert(v);
+                        uncertain.insert(other);
+                    }
+            }
+    }
+};
+
+void expectAsBruteForce(const RgbdFrame& frame, const DepthLimits& limits = {})
+{
+    const VoxelizedFrame voxels(frame, RESOLUTION, limits);
+    const BruteForce expected(*frame.scan, frame.robotPose + frame.scan->sensorPose, RESOLUTION,
+                              limits);
+    std::set<VoxelCoord> found;
+    for (const HitVoxel& h : voxels.hits()) {
+        ASSERT_TRUE(found.insert(h.coord).second) << "a voxel twice";
+        if (expected.uncertain.count(h.coord) != 0) continue;
+        const auto at = expected.voxels.find(h.coord);
+        ASSERT_NE(at, expected.voxels.end());
+        ASSERT_EQ(h.points, at->second.points);
+        ASSERT_LT((h.centroid - at->second.sum * (1.0 / h.points)).norm(), 1e-4);
+    }
+    for (const auto& [v, e] : expected.voxels)
+        ASSERT_TRUE(found.count(v) == 1 || expected.uncertain.count(v) == 1);
+    ASSERT_FALSE(found.empty());
+    EXPECT_LT(expected.uncertain.size(), found.size() / 5 + 3);
+}
+
+double bumpy(int column, int row)
+{
+    return 1.3 + 0.4 * std::sin(column * 0.11) + 0.011 * row;
+}
+}  // namespace
+
+TEST(VoxelizedFrame, AWallFillsExactlyItsVoxels)
+{
+    // At 2.02 m a pixel is 5.05 cm wide: the columns of 1-voxel steps are known by hand.
+    const VoxelizedFrame frame(frameOf(makeScan([](int, int) { return 2.02; })), RESOLUTION, {});
+    std::map<VoxelCoord, uint32_t> expected;
+    for (int row = 0; row < test::ROWS; ++row)
+        for (int column = 0; column < test::COLUMNS; ++column)
+            ++expected[{40, static_cast<int>(std::floor((39.5 - column) * 0.0505 / 0.05)),
+                        static_cast<int>(std::floor((29.5 - row) * 0.0505 / 0.05))}];
+    std::map<VoxelCoord, uint32_t> found;
+    for (const HitVoxel& h : frame.hits()) {
+        found[h.coord] = h.points;
+        EXPECT_NEAR(h.centroid.x, 2.02, 1e-5);
+    }
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(frame.origin(), TPoint3D(0, 0, 0));
+    EXPECT_EQ(frame.focalLength(), test::FOCAL);
+    EXPECT_EQ(frame.resolution(), RESOLUTION);
+}
+
+TEST(VoxelizedFrame, AgreesWithBruteForceAtAnyPose)
+{
+    const auto scan = makeScan(bumpy);
+    for (const CPose3D& pose :
+         {CPose3D(), CPose3D(-3.21, -0.77, 1.03, 0.3, -0.2, 0.1),
+          CPose3D(12.3, -45.6, -7.8, 2.9, 0.9, -2.2), CPose3D(-500.013, 820.027, 3, -1.7, 0, 0)})
+        expectAsBruteForce(frameOf(scan, pose));
+    const auto mounted = makeScan(bumpy);
+    mounted->sensorPose = CPose3D(0.1, -0.2, 1.1, 0.5, 0.25, -0.1);
+    expectAsBruteForce(frameOf(mounted, CPose3D(-1, -2, -3, 0.4, 0.3, 0.2)));
+}
+
+TEST(VoxelizedFrame, RangesMayBeDistancesInsteadOfDepths)
+{
+    const auto scan = makeScan(bumpy);
+    scan->range_is_depth = false;
+    expectAsBruteForce(frameOf(scan, CPose3D(-0.3, 0.2, 0.1, 1, 0.2, 0.3)));
+}
+
+TEST(VoxelizedFrame, PixelsWithoutDepthOrBeyondTheLimitsMakeNoPoint)
+{
+    const auto depth = [](int column, int) {
+        return column < 20 ? 0.0 : column < 40 ? 0.2 : column < 60 ? 5.0 : 1.52;
+    };
+    const auto scan = makeScan(depth);
+    const auto points = [&](const DepthLimits& limits) {
+        uint32_t n = 0;
+        for (const HitVoxel& h : VoxelizedFrame(frameOf(scan), RESOLUTION, limits).hits())
+            n += h.points;
+        return n;
+    };
+    constexpr uint32_t QUARTER = test::COLUMNS * test::ROWS / 4;
+    EXPECT_EQ(points({0.3, 4.0}), QUARTER);
+    EXPECT_EQ(points({0.1, 4.0}), 2 * QUARTER);
+    EXPECT_EQ(points({0.1, 6.0}), 3 * QUARTER);
+    EXPECT_EQ(points({0.0, 6.0}), 3 * QUARTER) << "zero means not measured, whatever the limit";
+    EXPECT_EQ(points({7.0, 8.0}), 0u);
+}
+
+TEST(VoxelizedFrame, UnusableScansAreRefused)
+{
+    const auto refused = [](const std::function<void(CObservation3DRangeScan&)>& spoil) {
+        const auto scan = makeScan([](int, int) { return 1.0; });
+        spoil(*scan);
+        EXPECT_THROW(VoxelizedFrame(frameOf(scan), RESOLUTION, {}), InputError);
+    };
+    refused([](auto& s) { s.hasRangeImage = false; });
+    refused([](auto& s) { s.cameraParams.ncols = 81; });
+    refused([](auto& s) { s.cameraParams.setIntrinsicParamsFromValues(0, 40, 39.5, 29.5); });
+    refused([](auto& s) { s.cameraParams.setIntrinsicParamsFromValues(40, -40, 39.5, 29.5); });
+    refused([](auto& s) { s.cameraParams.setIntrinsicParamsFromValues(NAN, 40, 39.5, 29.5); });
+    refused([](auto& s) { s.cameraParams.setIntrinsicParamsFromValues(40, 40, NAN, 29.5); });
+    refused([](auto& s) { s.rangeUnits = 0; });
+    refused([](auto& s) { s.rangeUnits = NAN; });
+    refused([](auto& s) { s.sensorPose.x(NAN); });
+    refused([](auto& s) { s.sensorPose.x(1e9); });
+}
+
+TEST(VoxelizedFrame, PredictionsForImagesOfAnotherSizeAreRefused)
+{
+    RgbdFrame frame = frameOf(makeScan([](int, int) { return 1.0; }));
+    const auto predictions = test::makePredictions({});
+    predictions->imageWidth = 640;
+    frame.instances = predictions;
+    try {
+        VoxelizedFrame(frame, RESOLUTION, {});
+        FAIL() << "accepted";
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("640x60"), std::string::npos);
+        EXPECT_NE(std::string(e.what()).find("80x60"), std::string::npos);
+        EXPECT_NE(std::string(e.what()).find("'camera'"), std::string::npos);
+    }
+}
