@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/plugins/Ini.h"
+#include "voxeland/plugins/OptionList.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace voxeland;
+
+namespace
+{
+enum class Taste
+{
+    sweet,
+    sour
+};
+
+struct Options
+{
+    std::string name = "none";
+    bool enabled = false;
+    int count = -1;
+    uint32_t size = 5;
+    double share = 0.125;
+    Taste taste = Taste::sweet;
+    OptionList list;
+
+    Options()
+    {
+        list.add("name", name, "A name");
+        list.add("enabled", enabled, "Whether");
+        list.add("count", count, {-10, 10}, "How many");
+        list.add("size", size, {1, 4e9}, "How large [voxels]");
+        list.add("share", share, {0, 1}, "How much");
+        list.add("taste", taste,
+                 std::vector<std::pair<std::string, Taste>>{{"sweet", Taste::sweet},
+                                                            {"sour", Taste::sour}},
+                 "Which taste");
+    }
+
+    std::vector<std::string> load(const std::string& text)
+    {
+        std::vector<std::string> problems;
+        list.load(Ini::fromText("[s]\n" + text, "a text"), "s", problems);
+        return problems;
+    }
+};
+
+/** The only problem with one line, or a text that says how many there are. */
+std::string problemOf(const std::string& line)
+{
+    const auto problems = Options().load(line);
+    return problems.size() == 1 ? problems[0] : std::to_string(problems.size()) + " problems";
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+}  // namespace
+
+TEST(OptionList, ReadsValuesOfAllKinds)
+{
+    Options o;
+    EXPECT_TRUE(o.load("name = two words\nenabled = Yes\ncount = -3\nsize = 4000000000\n"
+                       "share = 2.5e-1 // a comment\ntaste = sour\n")
+                    .empty());
+    EXPECT_EQ(o.name, "two words");
+    EXPECT_TRUE(o.enabled);
+    EXPECT_EQ(o.count, -3);
+    EXPECT_EQ(o.size, 4000000000u);
+    EXPECT_EQ(o.share, 0.25);
+    EXPECT_EQ(o.taste, Taste::sour);
+}
+
+TEST(OptionList, WhatIsNotNamedKeepsItsDefault)
+{
+    Options o;
+    EXPECT_TRUE(o.load("").empty());
+    EXPECT_EQ(o.name, "none");
+    EXPECT_EQ(o.count, -1);
+    EXPECT_EQ(o.share, 0.125);
+}
+
+TEST(OptionList, UnknownKeysNameTheNearest)
+{
+    EXPECT_TRUE(contains(problemOf("shrae = 1"), "did you mean 'share'?"));
+    EXPECT_TRUE(contains(problemOf("enabeld = 1"), "did you mean 'enabled'?"));
+    EXPECT_TRUE(contains(problemOf("shrae = 1"), "[s]"));
+    const std::string far = problemOf("quite_another_thing = 1");
+    EXPECT_TRUE(contains(far, "'quite_another_thing'"));
+    EXPECT_FALSE(contains(far, "did you mean"));
+}
+
+TEST(OptionList, BadNumbersAreProblems)
+{
+    for (const char* line : {"share = much", "share = 0.5.5", "share = 0,5", "share = 0.5 m",
+                             "share =", "share = nan", "count = 1.5", "count = 99", "size = -1",
+                             "size = 0", "share = -0.1", "share = 1.1", "count = 1e99"})
+    {
+        const std::string problem = problemOf(line);
+        EXPECT_TRUE(contains(problem, "[s] ")) << line << ": " << problem;
+    }
+    EXPECT_TRUE(contains(problemOf("share = 1.1"), "within 0 and 1"));
+    EXPECT_TRUE(contains(problemOf("count = 1.5"), "whole number"));
+}
+
+TEST(OptionList, BadWordsAreProblemsThatListTheGoodOnes)
+{
+    EXPECT_TRUE(contains(problemOf("taste = bitter"), "sweet | sour"));
+    EXPECT_TRUE(contains(problemOf("enabled = perhaps"), "true"));
+}
+
+TEST(OptionList, ATrailingCommentWithAHashIsExplained)
+{
+    for (const char* line :
+         {"share = 0.5 # half", "enabled = true # on", "taste = sour # as lemons"})
+        EXPECT_TRUE(contains(problemOf(line), "' //'")) << problemOf(line);
+}
+
+TEST(OptionList, AllProblemsAreReportedAtOnce)
+{
+    EXPECT_EQ(Options().load("nmae = x\ncount = many\ntaste = bitter\nenabled = yes\n").size(), 3u);
+}
+
+TEST(OptionList, WhatIsPrintedReadsBack)
+{
+    Options written;
+    written.name = "a b";
+    written.enabled = true;
+    written.count = -7;
+    written.size = 4000000000u;
+    written.share = 1.0 / 3;
+    written.taste = Taste::sour;
+    std::ostringstream out;
+    written.list.print(out, "s");
+    for (const char* comment : {"How large [voxels]", "sweet | sour"})
+        EXPECT_TRUE(contains(out.str(), comment));
+
+    Options read;
+    std::vector<std::string> problems;
+    read.list.load(Ini::fromText(out.str(), "printed"), "s", problems);
+    EXPECT_TRUE(problems.empty());
+    EXPECT_EQ(read.name, written.name);
+    EXPECT_EQ(read.enabled, written.enabled);
+    EXPECT_EQ(read.count, written.count);
+    EXPECT_EQ(read.size, written.size);
+    EXPECT_EQ(read.share, written.share);
+    EXPECT_EQ(read.taste, written.taste);
+}
+
+TEST(NearestWord, IsTheOneWithFewestEdits)
+{
+    const std::vector<std::string> words = {"min_depth", "max_depth", "threads"};
+    EXPECT_EQ(nearestWord("max_dept", words), "max_depth");
+    EXPECT_EQ(nearestWord("MIN_DEPTH", words), "min_depth");
+    EXPECT_EQ(nearestWord("thread", words), "threads");
+    EXPECT_EQ(nearestWord("xyz", words), "");
+    EXPECT_EQ(nearestWord("anything", {}), "");
+}

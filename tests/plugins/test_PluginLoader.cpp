@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/TestFiles.h"
+#include "voxeland/errors.h"
+#include "voxeland/pipeline/MapperConfig.h"
+#include "voxeland/plugins/CAssociationPolicy.h"
+#include "voxeland/plugins/COpinionConverter.h"
+#include "voxeland/plugins/PluginLoader.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+using namespace voxeland;
+namespace fs = std::filesystem;
+
+namespace
+{
+const std::string MODULES = VOXELAND_TEST_MODULES;
+
+/** Sets VOXELAND_PLUGIN_PATH while it lives. */
+struct PluginPath
+{
+    explicit PluginPath(const std::string& value)
+    {
+        setenv("VOXELAND_PLUGIN_PATH", value.c_str(), 1);
+    }
+    ~PluginPath() { unsetenv("VOXELAND_PLUGIN_PATH"); }
+};
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+/** The one-sentence message of a PluginError, or "no error". */
+template <typename F>
+std::string pluginError(F&& f)
+{
+    try {
+        f();
+    } catch (const PluginError& e) {
+        EXPECT_FALSE(contains(e.what(), "\n")) << e.what();
+        return e.what();
+    }
+    return "no error";
+}
+}  // namespace
+
+TEST(PluginLoader, SearchesTheIniFolderThenTheEnvironmentThenTheLibrarysOwn)
+{
+    const PluginPath path("/first:/second::");
+    const auto folders = pluginSearchPath("/ini");
+    ASSERT_EQ(folders.size(), 4u);
+    EXPECT_EQ(folders[0], "/ini");
+    EXPECT_EQ(folders[1], "/first");
+    EXPECT_EQ(folders[2], "/second");
+    EXPECT_TRUE(fs::exists(fs::path(folders[3]) / "recorded_instances.so")) << folders[3];
+}
+
+TEST(PluginLoader, TheFirstFolderWithTheFileWins)
+{
+    const test::TemporaryFolder folder;
+    test::writeFile(folder.file("test_plugin.so"), "not a library");
+    EXPECT_TRUE(contains(pluginError([&] {
+                             loadPlugin("test_plugin", {folder.path().string(), MODULES});
+                         }),
+                         folder.file("test_plugin.so")));
+    EXPECT_NO_THROW(loadPlugin("test_plugin", {MODULES, folder.path().string()}));
+}
+
+TEST(PluginLoader, APluginIsFoundByItsNameOrPath)
+{
+    const PluginPath path(MODULES);
+    EXPECT_NO_THROW(loadPlugin("test_plugin", pluginSearchPath()));
+    EXPECT_NO_THROW(loadPlugin("test_plugin.so", pluginSearchPath()));
+    EXPECT_NO_THROW(loadPlugin(MODULES + "/test_plugin.so", {}));
+    EXPECT_NO_THROW(loadPlugin(MODULES + "/test_plugin", {}));
+}
+
+TEST(PluginLoader, AMissingPluginNamesWhereItWasSearched)
+{
+    const std::string message = pluginError([] {
+        loadPlugin("no_such", {"/one/folder", "/another"});
+    });
+    for (const char* part : {"'no_such'", "/one/folder", "/another", "VOXELAND_PLUGIN_PATH"})
+        EXPECT_TRUE(contains(message, part)) << message;
+}
+
+TEST(PluginLoader, ATextFileIsNoPlugin)
+{
+    const test::TemporaryFolder folder;
+    test::writeFile(folder.file("text.so"), "hello\n");
+    const std::string message = pluginError([&] { loadPlugin("text", {folder.path().string()}); });
+    EXPECT_TRUE(contains(message, folder.file("text.so"))) << message;
+    EXPECT_TRUE(contains(message, "MRPT")) << message;
+}
+
+TEST(PluginLoader, APluginWithAnUnresolvedSymbolNamesIt)
+{
+    const std::string message = pluginError([] { loadPlugin("unresolved_plugin", {MODULES}); });
+    EXPECT_TRUE(contains(message, "functionOfAnotherVoxeland")) << message;
+    EXPECT_TRUE(contains(message, "unresolved_plugin.so")) << message;
+}
+
+TEST(PluginLoader, ALibraryThatIsNotOursLacksTheClass)
+{
+    EXPECT_NO_THROW(loadPlugin("foreign_library", {MODULES}));
+    Ini ini;
+    ini.set("association.plugin=" + MODULES + "/foreign_library.so");
+    ini.set("association.class=CForeign");
+    EXPECT_TRUE(contains(pluginError([&] { const MapperConfig config(ini); }), "CForeign"));
+}
+
+TEST(PluginLoader, AnUnknownClassListsThoseThereAre)
+{
+    loadPlugin("evidential_association", pluginSearchPath());
+    loadPlugin("iou_association", pluginSearchPath());
+    const std::string message =
+        pluginError([] { createPlugin<CAssociationPolicy>("CEvidentalAssociation"); });
+    for (const char* part : {"'CEvidentalAssociation'", "CAssociationPolicy",
+                             "CEvidentialAssociation", "CIoUAssociation"})
+        EXPECT_TRUE(contains(message, part)) << message;
+}
+
+TEST(PluginLoader, AClassOfAnotherBaseOrAnAbstractOneIsRefused)
+{
+    loadPlugin("evidential_association", pluginSearchPath());
+    EXPECT_NE(pluginError([] { createPlugin<COpinionConverter>("CEvidentialAssociation"); }),
+              "no error");
+    EXPECT_NE(pluginError([] { createPlugin<CAssociationPolicy>("CAssociationPolicy"); }),
+              "no error");
+    EXPECT_NE(pluginError([] { createPlugin<CAssociationPolicy>("CVoxelandMap"); }), "no error");
+    EXPECT_NE(pluginError([] { createPlugin<CAssociationPolicy>(""); }), "no error");
+}
+
+TEST(PluginLoader, ThirdPartiesPluginsAreChosenByTheIni)
+{
+    const PluginPath path(MODULES);
+    Ini ini;
+    ini.set("association.plugin=test_plugin");
+    ini.set("association.class=voxeland::CTestAssociation");
+    ini.set("association.patience=7");
+    const MapperConfig config(ini);
+    EXPECT_EQ(config.association->description(), "a plugin of the tests");
+    EXPECT_TRUE(contains(config.text(), "patience = 7"));
+
+    ini.set("association.patiense=7");
+    ini.set("association.patience=70");
+    try {
+        const MapperConfig wrong(ini);
+        FAIL() << "accepted";
+    } catch (const ConfigurationError& e) {
+        EXPECT_TRUE(contains(e.what(), "'patience'")) << e.what();
+        EXPECT_TRUE(contains(e.what(), "within 0 and 10")) << e.what();
+    }
+}
+
+TEST(PluginLoader, AFolderOfPluginsIsListedWithDescriptions)
+{
+    std::ostringstream list;
+    listPlugins(list, {MODULES, pluginSearchPath().back(), "/no/such/folder"});
+    for (const char* part : {"CTestAssociation  a plugin of the tests", "CEvidentialAssociation",
+                             "CRecordedInstancesConverter", "unresolved_plugin.so: not a plugin"})
+        EXPECT_TRUE(contains(list.str(), part)) << list.str();
+}
