@@ -3,6 +3,8 @@
 
 #include "voxeland/errors.h"
 
+#include <mrpt/core/exceptions.h>
+
 #include <algorithm>
 #include <iostream>
 #include <new>
@@ -43,10 +45,11 @@ class HelpOutput : public TCLAP::StdOutput
 
 HelpOutput helpOutput;
 
-/** The first line of a message: MRPT appends its call stack. */
+/** The first line of a message: MRPT wraps its own in a title and the call stack. */
 std::string sentence(const std::exception& e)
 {
-    std::string text = e.what();
+    const auto* mrpts = dynamic_cast<const mrpt::ExceptionWithCallBackBase*>(&e);
+    const std::string text = mrpts != nullptr ? mrpts->originalWhat : e.what();
     return text.substr(0, text.find('\n'));
 }
 

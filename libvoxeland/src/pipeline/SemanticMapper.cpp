@@ -16,10 +16,10 @@ void decode(const RgbdFrame& frame, StageTimes& times)
     const StageTimer timer(times, Stage::decode);
     try {
         frame.scan->load();
-    } catch (const std::exception& e) {
-        const std::string what = e.what();
-        throw InputError("an image of the rawlog cannot be read (restore its folder of images): " +
-                         what.substr(0, what.find('\n')));
+    } catch (const std::exception&) {
+        throw InputError("the depth image '" +
+                         frame.scan->rangeImage_getExternalStorageFileAbsolutePath("") +
+                         "' cannot be read: restore the rawlog's folder of images");
     }
 }
 }  // namespace
