@@ -138,8 +138,8 @@ TEST(VoxelizedFrame, PixelsWithoutDepthOrBeyondTheLimitsMakeNoPoint)
     const auto scan = makeScan(depth);
     const auto points = [&](const DepthLimits& limits) {
         uint32_t n = 0;
-        for (const HitVoxel& h : VoxelizedFrame(frameOf(scan), RESOLUTION, limits).hits())
-            n += h.points;
+        const VoxelizedFrame frame(frameOf(scan), RESOLUTION, limits);
+        for (const HitVoxel& h : frame.hits()) n += h.points;
         return n;
     };
     constexpr uint32_t QUARTER = test::COLUMNS * test::ROWS / 4;

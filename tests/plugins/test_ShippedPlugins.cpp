@@ -30,9 +30,9 @@ std::shared_ptr<Base> plugin(const std::string& library, const std::string& clas
 
 std::shared_ptr<CAssociationPolicy> evidential()
 {
-    return plugin<CAssociationPolicy>(
-        "evidential_association", "CEvidentialAssociation",
-        "tau_iou = 0.5\ntau_iov_strict = 0.8\ntau_iov_relaxed = 0.4\n");
+    return plugin<CAssociationPolicy>("evidential_association", "CEvidentialAssociation",
+                                      "tau_iou = 0.5\ntau_iov_strict = 0.8\ntau_iov_relaxed = 0.4\n"
+                                      "tau_piece = 1\n");
 }
 
 std::shared_ptr<CAssociationPolicy> iouOnly(const std::string& keys = "tau_iou = 0.25\n")
@@ -52,6 +52,21 @@ SemanticVoxelMap threeInstances()
     second.categories.add(table, 1);
     map.createInstance().categories.add(table, 1);
     return map;
+}
+
+/** An overlap of which the map knew all but one voxel as that instance's. */
+Overlap overlap(instance_id_t id, uint32_t common, uint32_t opinion, uint32_t instance,
+                uint32_t visible, double similarity)
+{
+    Overlap o;
+    o.instance = id;
+    o.intersection = common;
+    o.opinionVoxels = opinion;
+    o.instanceVoxels = instance;
+    o.visibleVoxels = visible;
+    o.mappedVoxels = common + 1;
+    o.similarity = similarity;
+    return o;
 }
 
 OpinionOverlaps chairThatOverlaps(std::vector<Overlap> candidates)
@@ -75,21 +90,21 @@ instance_id_t chosen(const CAssociationPolicy& policy, std::vector<Overlap> cand
 
 TEST(Overlap, RatiosByHand)
 {
-    const Overlap o = {1, 30, 40, 60, 50, 0};
+    const Overlap o = overlap(1, 30, 40, 60, 50, 0);
     EXPECT_DOUBLE_EQ(o.iou(), 30. / 70);
     EXPECT_DOUBLE_EQ(o.iov(), 30. / 50);
     const InstanceOverlap two = {1, 2, 30, 40, 60, 0};
     EXPECT_DOUBLE_EQ(two.iou(), 30. / 70);
     EXPECT_DOUBLE_EQ(two.ios(), 30. / 40);
-    const Overlap hidden = {1, 30, 40, 60, 10, 0};
+    const Overlap hidden = overlap(1, 30, 40, 60, 10, 0);
     EXPECT_LE(hidden.iov(), 1) << "what overlaps is visible";
 }
 
 TEST(EvidentialAssociation, MatchesByIntersectionOverUnion)
 {
     const auto policy = evidential();
-    EXPECT_EQ(chosen(*policy, {{1, 60, 80, 90, 1000, 0}}), 1u);                // 60/110
-    EXPECT_EQ(chosen(*policy, {{1, 50, 80, 90, 1000, 0}}), UNKNOWN_INSTANCE);  // 50/120
+    EXPECT_EQ(chosen(*policy, {overlap(1, 60, 80, 90, 1000, 0)}), 1u);                // 60/110
+    EXPECT_EQ(chosen(*policy, {overlap(1, 50, 80, 90, 1000, 0)}), UNKNOWN_INSTANCE);  // 50/120
     EXPECT_EQ(chosen(*policy, {}), UNKNOWN_INSTANCE);
 }
 
@@ -97,7 +112,7 @@ TEST(EvidentialAssociation, TheVisibleShareNeededGoesLinearlyWithSimilarity)
 {
     const auto policy = evidential();
     const auto matches = [&](uint32_t common, double similarity) {
-        return chosen(*policy, {{1, common, 120, 1000, 100, similarity}}) == 1;
+        return chosen(*policy, {overlap(1, common, 120, 1000, 100, similarity)}) == 1;
     };
     EXPECT_FALSE(matches(79, 0.0));
     EXPECT_TRUE(matches(81, 0.0));
@@ -110,15 +125,17 @@ TEST(EvidentialAssociation, TheVisibleShareNeededGoesLinearlyWithSimilarity)
 TEST(EvidentialAssociation, TheBestOfSeveralGetsIt)
 {
     const auto policy = evidential();
-    EXPECT_EQ(chosen(*policy, {{1, 60, 100, 100, 100, 1}, {2, 90, 100, 100, 100, 1}}), 2u);
-    EXPECT_EQ(chosen(*policy, {{1, 90, 100, 100, 100, 1}, {2, 60, 100, 100, 100, 1}}), 1u);
+    EXPECT_EQ(chosen(*policy, {overlap(1, 60, 100, 100, 100, 1), overlap(2, 90, 100, 100, 100, 1)}),
+              2u);
+    EXPECT_EQ(chosen(*policy, {overlap(1, 90, 100, 100, 100, 1), overlap(2, 60, 100, 100, 100, 1)}),
+              1u);
 }
 
 TEST(EvidentialAssociation, UnmatchedOpinionsStartInstancesOfTheirOwn)
 {
     const auto map = threeInstances();
     const auto assignments = evidential()->associate(
-        {chairThatOverlaps({}), chairThatOverlaps({{1, 90, 100, 100, 100, 1}}),
+        {chairThatOverlaps({}), chairThatOverlaps({overlap(1, 90, 100, 100, 100, 1)}),
          chairThatOverlaps({})},
         map);
     ASSERT_EQ(assignments.size(), 3u);
@@ -131,7 +148,8 @@ TEST(EvidentialAssociation, UnmatchedOpinionsStartInstancesOfTheirOwn)
 TEST(IoUAssociation, NeedsTheSameMostProbableCategory)
 {
     const auto policy = iouOnly();
-    const Overlap table = {3, 90, 100, 100, 100, 1}, chair = {2, 50, 100, 100, 100, 0};
+    const Overlap table = overlap(3, 90, 100, 100, 100, 1),
+                  chair = overlap(2, 50, 100, 100, 100, 0);
     EXPECT_EQ(chosen(*policy, {table}), UNKNOWN_INSTANCE);
     EXPECT_EQ(chosen(*policy, {chair, table}), 2u);
     const auto anyCategory = iouOnly("tau_iou = 0.25\nsame_category = false\n");
@@ -141,9 +159,11 @@ TEST(IoUAssociation, NeedsTheSameMostProbableCategory)
 TEST(IoUAssociation, TakesTheGreatestIoUThatReachesTheThreshold)
 {
     const auto policy = iouOnly();
-    EXPECT_EQ(chosen(*policy, {{1, 40, 100, 100, 40, 1}}), 1u);                // exactly 1/4
-    EXPECT_EQ(chosen(*policy, {{1, 39, 100, 100, 39, 1}}), UNKNOWN_INSTANCE);  // visible or not
-    EXPECT_EQ(chosen(*policy, {{1, 50, 100, 100, 1, 0}, {2, 60, 100, 100, 1, 0}}), 2u);
+    EXPECT_EQ(chosen(*policy, {overlap(1, 40, 100, 100, 40, 1)}), 1u);  // exactly 1/4
+    EXPECT_EQ(chosen(*policy, {overlap(1, 39, 100, 100, 39, 1)}),
+              UNKNOWN_INSTANCE);  // visible or not
+    EXPECT_EQ(chosen(*policy, {overlap(1, 50, 100, 100, 1, 0), overlap(2, 60, 100, 100, 1, 0)}),
+              2u);
 }
 
 TEST(IoUAssociation, InstancesWithoutCategoriesMatchNothing)
@@ -152,18 +172,35 @@ TEST(IoUAssociation, InstancesWithoutCategoriesMatchNothing)
     const instance_id_t bare = map.createInstance().id;
     const auto policy = iouOnly();
     const auto assignments =
-        policy->associate({chairThatOverlaps({{bare, 90, 100, 100, 100, 0}})}, map);
+        policy->associate({chairThatOverlaps({overlap(bare, 90, 100, 100, 100, 0)})}, map);
     EXPECT_EQ(assignments.at(0).instance, UNKNOWN_INSTANCE);
-    EXPECT_FALSE(policy->mayMerge({1, bare, 90, 100, 100, 0}, map));
+    EXPECT_FALSE(policy->mayMerge({1, bare, 90, 100, 100, 0}, {}, map));
 }
 
-TEST(IoUAssociation, MergesWhatItWouldMatch)
+TEST(IoUAssociation, MergesByIntersectionOverUnionWithinACategory)
 {
     const auto policy = iouOnly();
     const auto map = threeInstances();
-    EXPECT_TRUE(policy->mayMerge({1, 2, 40, 100, 100, 1}, map));
-    EXPECT_FALSE(policy->mayMerge({1, 2, 39, 100, 100, 1}, map));
-    EXPECT_FALSE(policy->mayMerge({1, 3, 99, 100, 100, 1}, map));
+    MergeThresholds thresholds;
+    thresholds.iou = 0.25;
+    EXPECT_TRUE(policy->mayMerge({1, 2, 41, 100, 100, 1}, thresholds, map));
+    EXPECT_FALSE(policy->mayMerge({1, 2, 40, 100, 100, 1}, thresholds, map));
+    EXPECT_FALSE(policy->mayMerge({1, 3, 99, 100, 100, 1}, thresholds, map));
+}
+
+TEST(EvidentialAssociation, MergesByGeometryAloneOrWithSimilarity)
+{
+    const auto policy = evidential();
+    const auto map = threeInstances();
+    const MergeThresholds thresholds = {0.8, true, 0.6, 0.7};
+    const auto merges = [&](uint32_t common, uint32_t a, uint32_t b, double similarity) {
+        return policy->mayMerge({1, 2, common, a, b, similarity}, thresholds, map);
+    };
+    EXPECT_TRUE(merges(90, 100, 100, 0));     // IoU 90/110
+    EXPECT_FALSE(merges(88, 100, 100, 0));    // 88/112
+    EXPECT_TRUE(merges(60, 100, 1000, 0.7));  // IoS 0.6
+    EXPECT_FALSE(merges(59, 100, 1000, 0.7));
+    EXPECT_FALSE(merges(60, 100, 1000, 0.69));
 }
 
 TEST(RecordedInstancesConverter, MakesAnOpinionOfEachUsablePrediction)

@@ -23,7 +23,8 @@ class CTestAssociation : public CAssociationPolicy
         for (uint32_t i = 0; i < assignments.size(); ++i) assignments[i].newInstance = i;
         return assignments;
     }
-    [[nodiscard]] bool mayMerge(const InstanceOverlap&, const SemanticVoxelMap&) const override
+    [[nodiscard]] bool mayMerge(const InstanceOverlap&, const MergeThresholds&,
+                                const SemanticVoxelMap&) const override
     {
         return false;
     }
