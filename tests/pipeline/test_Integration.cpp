@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/Frames.h"
+#include "voxeland/pipeline/Integration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace voxeland;
+
+namespace
+{
+constexpr double RESOLUTION = 0.05;
+
+/** A wall at 1.02 m, 2.5 cm a pixel: four pixels a voxel, in the middle of the image. */
+PreparedFrame wallFrame()
+{
+    RgbdFrame frame;
+    frame.scan = test::makeScan(
+        [](int c, int r) { return c >= 30 && c < 50 && r >= 20 && r < 40 ? 1.02 : 0.0; });
+    VoxelizedFrame voxels(frame, RESOLUTION, {});
+    auto space = castRays(voxels, 0.1);
+    return {std::move(voxels), {}, std::move(space), true, {}};
+}
+
+/** Number of the first hit voxel with at least this many points. */
+uint32_t hitWith(const PreparedFrame& frame, uint32_t points)
+{
+    for (uint32_t h = 0; h < frame.voxels.hits().size(); ++h)
+        if (frame.voxels.hits()[h].points >= points) return h;
+    ADD_FAILURE() << "no such voxel";
+    return 0;
+}
+
+Opinion opinion(uint32_t hit, float points, float confidence)
+{
+    return {{{hit, points}}, {{"chair", 1}}, confidence, InstancePrediction::NO_TRACK};
+}
+}  // namespace
+
+TEST(IntegrateOccupancy, EachVoxelIsUpdatedOncePerFrame)
+{
+    SemanticVoxelMap map;
+    const auto frame = wallFrame();
+    for (int times = 1; times <= 2; ++times) {
+        integrateOccupancy(frame.space, map);
+        const double hit = std::pow(0.7 / 0.3, times), miss = std::pow(0.4 / 0.6, times);
+        size_t updated = 0;
+        for (size_t b = 0; b < frame.space.size(); ++b) {
+            const auto at = [&](int cell) {
+                ++updated;
+                return OccupancyFilter::probability(
+                    map.occupancy(voxelAt(frame.space.coordOf(b), cell)));
+            };
+            frame.space[b].hit.forEach(
+                [&](int cell) { EXPECT_NEAR(at(cell), hit / (1 + hit), 1e-3); });
+            frame.space[b].passed.forEach(
+                [&](int cell) { EXPECT_NEAR(at(cell), miss / (1 + miss), 1e-3); });
+        }
+        EXPECT_EQ(map.memory().observedVoxels, updated) << "what is behind stays unobserved";
+    }
+}
+
+TEST(IntegrateGeometry, PointsNobodyClaimsAreWeighedForUnknown)
+{
+    SemanticVoxelMap map;
+    const auto frame = wallFrame();
+    integrateGeometry(frame, {}, 0.25, map);
+    for (const HitVoxel& h : frame.voxels.hits()) {
+        const VoxelEvidence* evidence = map.evidence(h.coord);
+        ASSERT_NE(evidence, nullptr);
+        EXPECT_EQ(evidence->size(), 1u);
+        EXPECT_FLOAT_EQ(evidence->alphaOf(UNKNOWN_INSTANCE), 0.25F * static_cast<float>(h.points));
+    }
+}
+
+TEST(IntegrateGeometry, ClaimedPointsGoToTheInstanceAndTheRestToUnknown)
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id;
+    auto frame = wallFrame();
+    const uint32_t hit = hitWith(frame, 4);
+    const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
+    frame.opinions = {opinion(hit, points - 1, 0.5F)};
+    integrateGeometry(frame, {id}, 0.2, map);
+    const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
+    EXPECT_FLOAT_EQ(evidence.alphaOf(id), points - 1) << "confidence does not weigh a sole claim";
+    EXPECT_FLOAT_EQ(evidence.alphaOf(UNKNOWN_INSTANCE), 0.2F);
+    EXPECT_EQ(map.instance(id).voxels, 1u);
+}
+
+TEST(IntegrateGeometry, PointsClaimedTwiceAreSharedByConfidence)
+{
+    SemanticVoxelMap map;
+    const instance_id_t a = map.createInstance().id, b = map.createInstance().id;
+    auto frame = wallFrame();
+    const uint32_t hit = hitWith(frame, 4);
+    const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
+    frame.opinions = {opinion(hit, points, 0.9F), opinion(hit, points, 0.3F)};
+    integrateGeometry(frame, {a, b}, 0.2, map);
+    const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
+    EXPECT_FLOAT_EQ(evidence.alphaOf(a), points * 0.75F);
+    EXPECT_FLOAT_EQ(evidence.alphaOf(b), points * 0.25F);
+    EXPECT_EQ(evidence.alphaOf(UNKNOWN_INSTANCE), 0);
+}
+
+TEST(IntegrateGeometry, TwoOpinionsAboutOneInstanceCountTheirPointsOnce)
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id;
+    auto frame = wallFrame();
+    const uint32_t hit = hitWith(frame, 4);
+    const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
+    frame.opinions = {opinion(hit, points, 0.9F), opinion(hit, points, 0.3F)};
+    integrateGeometry(frame, {id, id}, 0.2, map);
+    EXPECT_FLOAT_EQ(map.evidence(frame.voxels.hits()[hit].coord)->alphaOf(id), points);
+}
+
+TEST(IntegrateSemantics, BetaGrowsByConfidenceTimesProbability)
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id;
+    const category_id_t chair = map.categories().add("chair"), sofa = map.categories().add("sofa");
+    Opinion o = opinion(0, 1, 0.5F);
+    o.track = 9;
+    OpinionOverlaps overlaps;
+    overlaps.opinion = &o;
+    overlaps.categories.add(chair, 0.75);
+    overlaps.categories.add(sofa, 0.25);
+    integrateSemantics({overlaps}, {id}, 4, map);
+    integrateSemantics({overlaps, overlaps}, {id, id}, 7, map);
+    const Instance& instance = map.instance(id);
+    EXPECT_DOUBLE_EQ(instance.categories.betaOf(chair), 3 * 0.375);
+    EXPECT_DOUBLE_EQ(instance.categories.betaOf(sofa), 3 * 0.125);
+    EXPECT_EQ(instance.observations, 3u);
+    EXPECT_EQ(instance.firstFrame, 4u);
+    EXPECT_EQ(instance.lastFrame, 7u);
+    EXPECT_EQ(instance.tracks, (std::set<int64_t>{9}));
+}
+
+TEST(ResolveAssignments, NewInstancesOfOneNumberAreOne)
+{
+    SemanticVoxelMap map;
+    const instance_id_t known = map.createInstance().id;
+    const auto ids = resolveAssignments(
+        {{UNKNOWN_INSTANCE, 5}, {known, 0}, {UNKNOWN_INSTANCE, 0}, {UNKNOWN_INSTANCE, 5}}, map);
+    EXPECT_EQ(ids, (std::vector<instance_id_t>{2, known, 3, 2}));
+    EXPECT_EQ(map.instances().size(), 3u);
+}

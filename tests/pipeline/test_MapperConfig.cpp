@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/errors.h"
+#include "voxeland/pipeline/MapperConfig.h"
+
+#include <gtest/gtest.h>
+
+using namespace voxeland;
+
+namespace
+{
+std::string refusal(const std::string& text)
+{
+    try {
+        MapperConfig(Ini::fromText(text, "my.ini"));
+    } catch (const ConfigurationError& e) {
+        return e.what();
+    }
+    return "accepted";
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+}  // namespace
+
+TEST(MapperConfig, HasDefaultsForEverything)
+{
+    const MapperConfig config;
+    EXPECT_EQ(config.map.resolution, 0.05);
+    EXPECT_EQ(config.map.occupancy.prob_hit, 0.7);
+    EXPECT_EQ(config.map.occupancy.prob_miss, 0.4);
+    EXPECT_EQ(config.map.occupancy.prob_min, 0.12);
+    EXPECT_EQ(config.map.occupancy.prob_max, 0.97);
+    EXPECT_EQ(config.integration.unknown_weight, 0.2);
+    EXPECT_EQ(config.refinement.every, 30u);
+    ASSERT_TRUE(config.converter);
+    ASSERT_TRUE(config.association);
+    for (const char* section :
+         {"[voxeland]", "[map]", "[converter]", "[association]", "[refinement]"})
+        EXPECT_TRUE(contains(config.text(), section)) << section;
+}
+
+TEST(MapperConfig, ItsTextReadsBack)
+{
+    const MapperConfig config(
+        Ini::fromText("[map]\nresolution = 0.1\n[voxeland]\nthreads = 3\n[association]\n"
+                      "plugin = iou_association\nclass = CIoUAssociation\ntau_iou = 0.4\n",
+                      "my.ini"));
+    const MapperConfig again(Ini::fromText(config.text(), "again"));
+    EXPECT_EQ(again.text(), config.text());
+    EXPECT_EQ(again.map.resolution, 0.1);
+    EXPECT_EQ(again.input.threads, 3u);
+    EXPECT_TRUE(contains(again.text(), "CIoUAssociation"));
+}
+
+TEST(MapperConfig, WhatIsStoredWithAMapDoesNotDependOnThreads)
+{
+    const auto text = [](const std::string& threads) {
+        return MapperConfig(Ini::fromText("[voxeland]\nthreads = " + threads + "\n", "my.ini"))
+            .reproducibleText();
+    };
+    EXPECT_EQ(text("1"), text("7"));
+}
+
+TEST(MapperConfig, AllProblemsOfAllSectionsAreInOneMessage)
+{
+    const std::string message = refusal(
+        "[map]\nresolutoin = 0.1\nprob_miss = 0.9\n[voxeland]\nthreads = two\n"
+        "[convertor]\nx = 1\n[association]\ntau_iuo = 0.3\n[refinement]\nevery = -1\n");
+    for (const char* part :
+         {"my.ini", "'resolution'", "prob_miss", "threads", "[converter]", "'tau_iou'", "every"})
+        EXPECT_TRUE(contains(message, part)) << part << ": " << message;
+    EXPECT_FALSE(contains(message, "\n"));
+}
+
+TEST(MapperConfig, ValuesThatDoNotGoTogetherAreProblems)
+{
+    EXPECT_TRUE(contains(refusal("[voxeland]\nmin_depth = 5\nmax_depth = 4\n"), "min_depth"));
+    EXPECT_TRUE(contains(refusal("[map]\nprob_min = 0.45\n"), "prob_min"));
+    EXPECT_EQ(refusal("[map]\nresolution = 0.1\n"), "accepted");
+}
+
+TEST(MapperConfig, KeysThatChooseAPluginMayBeCapitalizedAsAllOthers)
+{
+    const MapperConfig config(Ini::fromText(
+        "[association]\nPlugin = iou_association\nClass = CIoUAssociation\nSame_Category = no\n",
+        "my.ini"));
+    EXPECT_TRUE(contains(config.association->description(), "intersection over union and"));
+}
