@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How well observations and other maps fit a CVoxelandMap. */
+#include "voxeland/metric_map/CVoxelandMap.h"
+
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
-
-#include "voxeland/metric_map/CVoxelandMap.h"
 
 using mrpt::obs::CObservation;
 using mrpt::obs::CObservation2DRangeScan;
@@ -30,7 +31,9 @@ mrpt::maps::CSimplePointsMap pointsOf(const CObservation& observation)
         copy.load();
         mrpt::obs::T3DPointsProjectionParams parameters;
         parameters.takeIntoAccountSensorPoseOnRobot = true;
-        parameters.decimation = 8;
+        // MRPT wants a divisor of both sides of the image.
+        parameters.decimation = static_cast<uint8_t>(
+            std::gcd(8, std::gcd(copy.rangeImage.cols(), copy.rangeImage.rows())));
         copy.unprojectInto(points, parameters);
     }
     return points;
@@ -41,7 +44,8 @@ bool isOccupiedNear(const SemanticVoxelMap& map, const VoxelCoord& v)
     for (int dz = -1; dz <= 1; ++dz)
         for (int dy = -1; dy <= 1; ++dy)
             for (int dx = -1; dx <= 1; ++dx)
-                if (OccupancyFilter::isOccupied(map.occupancy(v + VoxelCoord{dx, dy, dz}))) return true;
+                if (OccupancyFilter::isOccupied(map.occupancy(v + VoxelCoord{dx, dy, dz})))
+                    return true;
     return false;
 }
 }  // namespace

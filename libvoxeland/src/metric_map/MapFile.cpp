@@ -14,6 +14,8 @@ std::shared_ptr<CVoxelandMap> loadMap(const std::string& file)
     GzInputFile in(file);
     const auto map = std::dynamic_pointer_cast<CVoxelandMap>(in.readObject());
     if (!map) throw InputError("'" + file + "' is not a voxeland map");
+    // Reading to the end verifies gzip's checksum.
+    if (in.readObject()) throw InputError("'" + file + "' holds more than a voxeland map");
     return map;
 }
 
