@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/SmallRawlog.h"
+#include "support/TestFiles.h"
+#include "voxeland/errors.h"
+#include "voxeland/metric_map/CVoxelandMap.h"
+#include "voxeland/metric_map/MapFile.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/maps/CMultiMetricMap.h>
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/opengl/CSetOfObjects.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <filesystem>
+
+using namespace voxeland;
+using mrpt::maps::CMultiMetricMap;
+using voxeland::test::SmallFrame;
+
+namespace
+{
+std::string bytesOf(const CVoxelandMap& map)
+{
+    mrpt::io::CMemoryStream stream;
+    mrpt::serialization::archiveFrom(stream) << map;
+    return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
+}
+
+void insertScan(mrpt::maps::CMetricMap& map, const SmallFrame& f)
+{
+    map.insertObservation(*f.scan, f.pose->pose.mean);
+}
+void insertInstances(mrpt::maps::CMetricMap& map, const SmallFrame& f)
+{
+    map.insertObservation(*f.instances, f.pose->pose.mean);
+}
+void insert(mrpt::maps::CMetricMap& map, const SmallFrame& f)
+{
+    insertScan(map, f);
+    insertInstances(map, f);
+}
+
+CVoxelandMap mapWith(const std::string& assignment)
+{
+    Ini ini;
+    ini.set(assignment);
+    return CVoxelandMap(MapperConfig(ini));
+}
+
+/** A map of some frames. */
+CVoxelandMap mapOf(int frames)
+{
+    CVoxelandMap map{MapperConfig()};
+    for (const auto& f : test::smallFrames(frames)) insert(map, f);
+    return map;
+}
+}  // namespace
+
+TEST(CVoxelandMap, ScansAndPredictionsMayComeInEitherOrder)
+{
+    CVoxelandMap a{MapperConfig()}, b{MapperConfig()}, c{MapperConfig()};
+    std::vector<SmallFrame> late;
+    for (const auto& f : test::smallFrames(8)) {
+        insertScan(a, f);
+        insertInstances(a, f);
+        insertInstances(b, f);
+        insertScan(b, f);
+        insertScan(c, f);  // predictions two frames later
+        late.push_back(f);
+        if (late.size() > 2) insertInstances(c, late[late.size() - 3]);
+    }
+    insertInstances(c, late[6]);
+    insertInstances(c, late[7]);
+    EXPECT_EQ(a.counts().frames, 8u);
+    EXPECT_EQ(a.counts().opinions, 16u);
+    EXPECT_EQ(bytesOf(a), bytesOf(b));
+    EXPECT_EQ(bytesOf(a), bytesOf(c));
+}
+
+TEST(CVoxelandMap, ScansWithoutPredictionsWaitUntilFlushed)
+{
+    CVoxelandMap map{MapperConfig()};
+    const auto frames = test::smallFrames(3);
+    for (const auto& f : frames) insertScan(map, f);
+    EXPECT_TRUE(map.isEmpty());
+    map.flush();
+    EXPECT_EQ(map.counts().frames, 3u);
+    EXPECT_EQ(map.counts().framesWithoutPredictions, 3u);
+    EXPECT_TRUE(map.map().instances().empty());
+    EXPECT_FALSE(map.isEmpty());
+}
+
+TEST(CVoxelandMap, OtherObservationsAreLeftToOtherMaps)
+{
+    CVoxelandMap map;
+    EXPECT_FALSE(map.insertObservation(mrpt::obs::CObservationRobotPose()));
+    auto labelled = mapWith("voxeland.depth_sensor_label=another");
+    EXPECT_FALSE(labelled.insertObservation(*test::smallFrames(1)[0].scan));
+}
+
+TEST(CVoxelandMap, ClearEmptiesTheMapAndKeepsItsConfiguration)
+{
+    auto map = mapWith("voxeland.prediction_wait=0");
+    const auto frames = test::smallFrames(2);
+    insertScan(map, frames[0]);
+    EXPECT_EQ(map.counts().frames, 1u) << "waits for nothing";
+    map.clear();
+    EXPECT_TRUE(map.isEmpty());
+    EXPECT_EQ(map.counts().frames, 0u);
+    insertScan(map, frames[1]);
+    EXPECT_EQ(map.counts().frames, 1u) << "still waits for nothing";
+}
+
+TEST(CVoxelandMap, CopiesAreIndependent)
+{
+    const CVoxelandMap original = mapOf(3);
+    const std::string before = bytesOf(original);
+    CVoxelandMap copy = original;
+    EXPECT_EQ(bytesOf(copy), before);
+    insert(copy, test::smallFrames(4)[3]);
+    EXPECT_EQ(copy.counts().frames, 4u);
+    EXPECT_EQ(bytesOf(original), before);
+    EXPECT_EQ(bytesOf(copy), bytesOf(mapOf(4)));
+}
+
+TEST(CVoxelandMap, SerializationKeepsEverythingIncludingWhatWaits)
+{
+    const auto frames = test::smallFrames(6);
+    auto map = mapWith("voxeland.prediction_wait=2");
+    for (int i = 0; i < 3; ++i) insert(map, frames[static_cast<size_t>(i)]);
+    insertScan(map, frames[3]);
+
+    mrpt::io::CMemoryStream stream;
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    archive << map;
+    stream.Seek(0);
+    const auto read = archive.ReadObject<CVoxelandMap>();
+    EXPECT_EQ(bytesOf(*read), bytesOf(map));
+    for (auto* m : {&map, read.get()}) {
+        insertScan(*m, frames[4]);
+        insertScan(*m, frames[5]);
+        EXPECT_EQ(m->counts().frames, 4u) << "frame 3 has waited for two newer ones";
+    }
+    EXPECT_EQ(bytesOf(*read), bytesOf(map));
+}
+
+TEST(CVoxelandMap, FilesKeepEveryByte)
+{
+    const test::TemporaryFolder folder;
+    const CVoxelandMap map = mapOf(4);
+    saveMap(map, folder.file("a.voxeland"));
+    saveMap(*loadMap(folder.file("a.voxeland")), folder.file("b.voxeland"));
+    EXPECT_EQ(test::readFile(folder.file("a.voxeland")), test::readFile(folder.file("b.voxeland")));
+    EXPECT_EQ(bytesOf(*loadMap(folder.file("a.voxeland"))), bytesOf(map));
+}
+
+TEST(CVoxelandMap, DamagedFilesAreRefused)
+{
+    const test::TemporaryFolder folder;
+    saveMap(mapOf(2), folder.file("a.voxeland"));
+    const std::string whole = test::readFile(folder.file("a.voxeland"));
+    for (const size_t length : {size_t{0}, size_t{30}, whole.size() / 2, whole.size() - 5}) {
+        test::writeFile(folder.file("cut.voxeland"), whole.substr(0, length));
+        EXPECT_THROW(loadMap(folder.file("cut.voxeland")), InputError) << length;
+    }
+    EXPECT_THROW(loadMap(folder.file("missing.voxeland")), InputError);
+    EXPECT_THROW(saveMap(mapOf(1), folder.file("no/such/folder.voxeland")), OutputError);
+}
+
+TEST(CVoxelandMap, SavesItselfAsMrptsMapsDo)
+{
+    const test::TemporaryFolder folder;
+    CVoxelandMap map{MapperConfig()};
+    insertScan(map, test::smallFrames(1)[0]);  // still waits
+    map.saveMetricMapRepresentationToFile(folder.file("map"));
+    EXPECT_EQ(loadMap(folder.file("map.voxeland"))->counts().frames, 1u);
+    EXPECT_TRUE(std::filesystem::exists(folder.file("map.3Dscene")));
+    EXPECT_EQ(map.counts().frames, 0u);
+}
+
+TEST(CVoxelandMap, AnotherResolutionIsRefusedOnceThereAreVoxels)
+{
+    CVoxelandMap map = mapOf(1);
+    Ini ini;
+    ini.set("map.resolution=0.1");
+    EXPECT_THROW(map.setConfig(MapperConfig(ini)), ConfigurationError);
+    Ini other;
+    other.set("map.entropy=paper");
+    EXPECT_NO_THROW(map.setConfig(MapperConfig(other)));
+    EXPECT_EQ(map.map().options().entropy, EntropyMeasure::paper);
+}
+
+TEST(CVoxelandMap, ShowsItsOccupiedVoxels)
+{
+    const CVoxelandMap map = mapOf(2);
+    size_t occupied = 0;
+    map.map().forEachVoxel(
+        [&](const VoxelCoord&, log_odds_t, const VoxelEvidence&) { ++occupied; });
+    ASSERT_GT(occupied, 100u);
+    EXPECT_EQ(map.getAsSimplePointsMap()->size(), occupied);
+    mrpt::opengl::CSetOfObjects objects;
+    map.getVisualizationInto(objects);
+    EXPECT_FALSE(objects.empty());
+    const auto box = objects.getBoundingBox();
+    EXPECT_GT(box.max.x, 2.5);
+    EXPECT_GT(box.min.x, 0.5) << "nothing is near the origin";
+    EXPECT_NE(map.asString().find("2 frames"), std::string::npos) << map.asString();
+}
+
+TEST(CVoxelandMap, PointsFollowTheMap)
+{
+    CVoxelandMap map = mapOf(1);
+    const size_t before = map.getAsSimplePointsMap()->size();
+    auto frame = test::smallFrames(1)[0];
+    frame.pose->pose.mean = mrpt::poses::CPose3D(0, 0, 5, 2, 0, 0);
+    frame.scan->timestamp += std::chrono::seconds(1);
+    frame.instances->timestamp = frame.scan->timestamp;
+    insert(map, frame);
+    EXPECT_GT(map.getAsSimplePointsMap()->size(), before);
+    map.clear();
+    EXPECT_TRUE(map.getAsSimplePointsMap()->empty());
+}
+
+TEST(CVoxelandMap, MatchesItselfWhollyAndAMapFarAwayNot)
+{
+    const CVoxelandMap map = mapOf(2);
+    EXPECT_EQ(map.compute3DMatchingRatio(&map, mrpt::poses::CPose3D(), {}), 1);
+    EXPECT_EQ(map.compute3DMatchingRatio(&map, mrpt::poses::CPose3D(50, 0, 0, 0, 0, 0), {}), 0);
+}
+
+TEST(CVoxelandMap, ObservationsAreLikeliestWhereTheyWereMade)
+{
+    const CVoxelandMap map = mapOf(3);
+    const auto frame = test::smallFrames(2)[1];
+    const auto likelihood = [&](const mrpt::poses::CPose3D& error) {
+        return map.computeObservationLikelihood(*frame.scan, frame.pose->pose.mean + error);
+    };
+    ASSERT_TRUE(map.canComputeObservationLikelihood(*frame.scan));
+    EXPECT_FALSE(map.canComputeObservationLikelihood(*frame.instances));
+    const double atTruth = likelihood({});
+    for (const auto& error :
+         {mrpt::poses::CPose3D(0.3, 0, 0, 0, 0, 0), mrpt::poses::CPose3D(-0.3, 0, 0, 0, 0, 0),
+          mrpt::poses::CPose3D(0, 0, 0, 0.3, 0, 0), mrpt::poses::CPose3D(0, 0, 0, 0, 0.3, 0),
+          mrpt::poses::CPose3D(5, 5, 5, 0, 0, 0)})
+        EXPECT_GT(atTruth, likelihood(error));
+}
+
+namespace
+{
+CMultiMetricMap multiMap(const std::string& more = "")
+{
+    const mrpt::config::CConfigFileMemory ini(
+        std::string("[maps]\nvoxelandMap_count = 1\n[maps_voxelandMap_00_map]\nresolution = 0.1\n"
+                    "[maps_voxelandMap_00_voxeland]\nprediction_wait = 0\n" +
+                    more));
+    mrpt::maps::TSetOfMetricMapInitializers definitions;
+    definitions.loadFromConfigFile(ini, "maps");
+    CMultiMetricMap maps;
+    maps.setListOfMaps(definitions);
+    return maps;
+}
+}  // namespace
+
+TEST(CVoxelandMap, MrptsIniMakesOne)
+{
+    auto maps = multiMap();
+    ASSERT_EQ(maps.maps.size(), 1u);
+    const auto map = maps.mapByClass<CVoxelandMap>();
+    ASSERT_TRUE(map);
+    EXPECT_EQ(map->map().resolution(), 0.1);
+    insertScan(maps, test::smallFrames(1)[0]);
+    EXPECT_EQ(map->counts().frames, 1u);
+}
+
+TEST(CVoxelandMap, CopiesOfASetOfMapsKeepTheirOptions)
+{
+    auto maps = multiMap();
+    auto copy = maps;
+    insertScan(copy, test::smallFrames(1)[0]);
+    const auto map = copy.mapByClass<CVoxelandMap>();
+    EXPECT_EQ(map->map().resolution(), 0.1);
+    EXPECT_EQ(map->counts().frames, 1u);
+    EXPECT_TRUE(maps.mapByClass<CVoxelandMap>()->isEmpty());
+}
+
+TEST(CVoxelandMap, AnIniOfItsOwnMayBeNamedAndOverridden)
+{
+    const test::TemporaryFolder folder;
+    test::writeFile(folder.file("own.ini"), "[map]\nresolution = 0.2\nentropy = mean\n");
+    const auto maps =
+        multiMap("[maps_voxelandMap_00_creationOpts]\nconfig = " + folder.file("own.ini") + "\n");
+    const auto& options = maps.mapByClass<CVoxelandMap>()->map().options();
+    EXPECT_EQ(options.resolution, 0.1);
+    EXPECT_EQ(options.entropy, EntropyMeasure::mean);
+    EXPECT_ANY_THROW(multiMap("[maps_voxelandMap_00_refinement]\nevrey = 3\n"));
+    EXPECT_ANY_THROW(multiMap("[maps_voxelandMap_00_creationOpts]\nconfig = missing.ini\n"));
+}
