@@ -341,7 +341,7 @@ TEST(Rawlog2voxelandRealData, KitchenFramesMapTheSameWithAnyThreadsAndWhenResume
         if (entry.path().extension() == ".json") predictions = entry.path().string();
     const auto imported = runProgram(
         "rgbd2rawlog", {"--format", "7scenes", "--input", redkitchen().string(), "--predictions",
-                        predictions, "--output", rawlog, "--every", "25", "--quiet"});
+                        predictions, "--output", rawlog, "--every", "8", "--quiet"});
     ASSERT_EQ(imported.exitCode, 0) << imported.errors;
     const auto mapped = [&](const std::string& name, const std::vector<std::string>& more) {
         std::vector<std::string> arguments = {"-i", rawlog, "-o", folder.file(name), "--quiet"};
