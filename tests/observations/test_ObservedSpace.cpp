@@ -91,8 +91,8 @@ TEST(ObservedSpace, AgreesWithBruteForce)
     // A sample may step over the corner of a voxel, never the other way round.
     for (const auto& v : passed) ASSERT_EQ(foundPassed.count(v), 1u);
     for (const auto& v : behind) ASSERT_EQ(foundBehind.count(v), 1u);
-    EXPECT_LE(foundPassed.size(), passed.size() * 1.01);
-    EXPECT_LE(foundBehind.size(), behind.size() * 1.02);
+    EXPECT_LE(100 * foundPassed.size(), 101 * passed.size());
+    EXPECT_LE(100 * foundBehind.size(), 102 * behind.size());
 }
 
 TEST(ObservedSpace, AMeasuredVoxelIsNeverFree)
