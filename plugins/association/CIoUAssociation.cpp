@@ -3,25 +3,15 @@
 
 #include <mrpt/core/initializer.h>
 
-#include <algorithm>
-
 namespace voxeland
 {
 IMPLEMENTS_MRPT_OBJECT(CIoUAssociation, voxeland::CAssociationPolicy, voxeland)
 
 namespace
 {
-category_id_t topCategory(const CategoryEvidence& evidence)
-{
-    const auto& e = evidence.entries();
-    return std::max_element(e.begin(), e.end(),
-                            [](const auto& a, const auto& b) { return a.beta < b.beta; })
-        ->category;
-}
-
 bool haveSameTopCategory(const CategoryEvidence& a, const CategoryEvidence& b)
 {
-    return !a.empty() && !b.empty() && topCategory(a) == topCategory(b);
+    return !a.empty() && a.top() == b.top();
 }
 }  // namespace
 

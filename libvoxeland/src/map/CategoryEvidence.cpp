@@ -28,6 +28,15 @@ double CategoryEvidence::betaOf(category_id_t category) const
     return 0;
 }
 
+std::optional<category_id_t> CategoryEvidence::top() const
+{
+    const auto most =
+        std::max_element(m_entries.begin(), m_entries.end(),
+                         [](const Entry& a, const Entry& b) { return a.beta < b.beta; });
+    if (most == m_entries.end()) return std::nullopt;
+    return most->category;
+}
+
 void CategoryEvidence::add(category_id_t category, double beta)
 {
     const auto at =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -42,6 +43,8 @@ class CategoryEvidence
     [[nodiscard]] bool empty() const { return m_entries.empty(); }
     [[nodiscard]] double total() const;
     [[nodiscard]] double betaOf(category_id_t category) const;
+    /** The category with most evidence (of equals the one with the lowest id), none if empty. */
+    [[nodiscard]] std::optional<category_id_t> top() const;
     /** Adds evidence (may be negative to take some back; an entry that reaches zero goes). */
     void add(category_id_t category, double beta);
     /** Adds all of another's evidence, scaled. */
