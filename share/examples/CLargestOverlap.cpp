@@ -37,7 +37,11 @@ class CLargestOverlap : public CAssociationPolicy
         return result;
     }
 
-    bool mayMerge(const InstanceOverlap&, const SemanticVoxelMap&) const override { return false; }
+    bool mayMerge(const InstanceOverlap& overlap, const MergeThresholds& thresholds,
+                  const SemanticVoxelMap&) const override
+    {
+        return overlap.iou() > thresholds.iou;
+    }
 
  private:
     uint32_t m_minVoxels = 3;
