@@ -28,16 +28,16 @@ VoxelCoord readCoord(CArchive& in)
 
 void write(CArchive& out, const MapOptions& o)
 {
-    out << o.resolution << o.occupancy.prob_hit << o.occupancy.prob_miss << o.occupancy.prob_min
-        << o.occupancy.prob_max << o.prior_strength << toString(o.entropy);
+    out << o.resolution << o.membership << o.occupancy.prob_hit << o.occupancy.prob_miss
+        << o.occupancy.prob_min << o.occupancy.prob_max << o.prior_strength << toString(o.entropy);
 }
 
 MapOptions readOptions(CArchive& in)
 {
     MapOptions o;
     std::string entropy;
-    in >> o.resolution >> o.occupancy.prob_hit >> o.occupancy.prob_miss >> o.occupancy.prob_min >>
-        o.occupancy.prob_max >> o.prior_strength >> entropy;
+    in >> o.resolution >> o.membership >> o.occupancy.prob_hit >> o.occupancy.prob_miss >>
+        o.occupancy.prob_min >> o.occupancy.prob_max >> o.prior_strength >> entropy;
     o.entropy = entropyMeasureFromString(entropy);
     return o;
 }

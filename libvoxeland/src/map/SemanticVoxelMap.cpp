@@ -11,6 +11,8 @@ SemanticVoxelMap::SemanticVoxelMap(const MapOptions& options)
     : m_options(options), m_filter(options.occupancy)
 {
     if (!(options.resolution > 0)) throw std::invalid_argument("map resolution must be positive");
+    if (!(options.membership >= 0 && options.membership <= 1))
+        throw std::invalid_argument("membership must be within 0 and 1");
     if (!(options.prior_strength >= 0))
         throw std::invalid_argument("prior_strength must not be negative");
 }
@@ -18,12 +20,13 @@ SemanticVoxelMap::SemanticVoxelMap(const MapOptions& options)
 void SemanticVoxelMap::setOptions(const MapOptions& options)
 {
     const auto built = [](const MapOptions& o) {
-        return std::tuple(o.resolution, o.occupancy.prob_hit, o.occupancy.prob_miss,
+        return std::tuple(o.resolution, o.membership, o.occupancy.prob_hit, o.occupancy.prob_miss,
                           o.occupancy.prob_min, o.occupancy.prob_max);
     };
     if (!empty() && built(options) != built(m_options))
         throw std::invalid_argument(
-            "the map was built with another resolution or occupancy model, which cannot be changed");
+            "the map was built with another resolution, membership or occupancy model, which "
+            "cannot be changed");
     SemanticVoxelMap check(options);
     m_options = options;
     m_filter = check.m_filter;
@@ -46,14 +49,25 @@ const VoxelEvidence* SemanticVoxelMap::evidence(const VoxelCoord& v) const
     return block == nullptr ? nullptr : block->evidence(cellOf(v));
 }
 
+template <typename Change>
+void SemanticVoxelMap::changeEvidence(VoxelEvidence& evidence, Change&& change)
+{
+    forEachMember(evidence, [this](instance_id_t id) { --m_instances.at(id).voxels; });
+    change(evidence);
+    forEachMember(evidence, [this](instance_id_t id) { ++m_instances.at(id).voxels; });
+}
+
 void SemanticVoxelMap::addEvidence(const VoxelCoord& v, instance_id_t instance, float alpha)
 {
     const VoxelCoord block = blockOf(v);
-    const bool isNew = m_blocks.at(block).evidenceAt(cellOf(v)).add(instance, alpha);
-    if (!isNew || instance == UNKNOWN_INSTANCE) return;
-    Instance& i = m_instances.at(instance);
-    ++i.voxels;
-    i.blocks.insert(block);
+    VoxelEvidence& evidence = m_blocks.at(block).evidenceAt(cellOf(v));
+    if (instance == UNKNOWN_INSTANCE) {
+        evidence.add(instance, alpha);
+        return;
+    }
+    bool isNew = false;
+    changeEvidence(evidence, [&](VoxelEvidence& e) { isNew = e.add(instance, alpha); });
+    if (isNew) m_instances.at(instance).blocks.insert(block);
 }
 
 instance_id_t SemanticVoxelMap::resolve(instance_id_t id) const
@@ -77,14 +91,9 @@ void SemanticVoxelMap::moveEvidence(MapBlock& block, const VoxelCoord& blockCoor
                                     instance_id_t from, instance_id_t to)
 {
     VoxelEvidence* evidence = block.evidence(cell);
-    const float alpha = evidence == nullptr ? 0 : evidence->remove(from);
-    if (!(alpha > 0)) return;
-    const bool isNew = evidence->add(to, alpha);
-    --m_instances.at(from).voxels;
-    if (!isNew || to == UNKNOWN_INSTANCE) return;
-    Instance& receiver = m_instances.at(to);
-    ++receiver.voxels;
-    receiver.blocks.insert(blockCoord);
+    if (evidence == nullptr || !(evidence->alphaOf(from) > 0)) return;
+    changeEvidence(*evidence, [&](VoxelEvidence& e) { e.add(to, e.remove(from)); });
+    if (to != UNKNOWN_INSTANCE) m_instances.at(to).blocks.insert(blockCoord);
 }
 
 void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed)

@@ -78,6 +78,11 @@ float VoxelEvidence::total() const
     return sum;
 }
 
+float VoxelEvidence::membershipThreshold(double share) const
+{
+    return static_cast<float>(share) * (total() - alphaOf(UNKNOWN_INSTANCE));
+}
+
 instance_id_t VoxelEvidence::winner() const
 {
     Entry best;

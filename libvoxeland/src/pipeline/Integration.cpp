@@ -6,6 +6,16 @@
 
 namespace voxeland
 {
+namespace
+{
+/** Weight of an opinion where it shares points with others: a small mask on a large one, a cup on a
+ * table, says more about those points. */
+float specificity(const Opinion& o)
+{
+    return o.confidence / static_cast<float>(o.voxels.size());
+}
+}  // namespace
+
 void integrateOccupancy(const ObservedSpace& space, SemanticVoxelMap& map)
 {
     const OccupancyFilter& filter = map.occupancyFilter();
@@ -45,7 +55,7 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
     for (const Opinion& o : frame.opinions)
         for (const OpinionVoxel& v : o.voxels) {
             claimed[v.hit] += v.points;
-            weighted[v.hit] += v.points * o.confidence;
+            weighted[v.hit] += v.points * specificity(o);
         }
 
     for (size_t i = 0; i < frame.opinions.size(); ++i) {
@@ -53,7 +63,7 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
         for (const OpinionVoxel& v : o.voxels) {
             const float available =
                 std::min(claimed[v.hit], static_cast<float>(hits[v.hit].points));
-            const float share = v.points * o.confidence / weighted[v.hit];
+            const float share = v.points * specificity(o) / weighted[v.hit];
             map.addEvidence(hits[v.hit].coord, instances[i], available * share);
         }
     }

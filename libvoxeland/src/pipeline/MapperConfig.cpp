@@ -41,6 +41,8 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
              "Probability of occupied, given a ray through the voxel");
     list.add("prob_min", o.occupancy.prob_min, {0, 0.5}, "Least probability a voxel can reach");
     list.add("prob_max", o.occupancy.prob_max, {0.5, 1}, "Greatest probability a voxel can reach");
+    list.add("membership", o.membership, {0, 1},
+             "A voxel is part of an instance that has this share of its evidence for instances");
     list.add("unknown_weight", integration.unknown_weight, {0, 1},
              "Evidence for 'unknown' of a depth pixel that no detection claims");
     list.add("visibility_margin", integration.visibility_margin, {0, 10},

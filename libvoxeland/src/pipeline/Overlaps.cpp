@@ -24,7 +24,8 @@ void OverlapFinder::countVisible(const ObservedSpace& space, const SemanticVoxel
         if (block == nullptr || !block->surface().any()) continue;
         const CellMask seen = space[b].visible() & block->surface();
         seen.forEach([&](int cell) {
-            for (const auto& e : *block->evidence(cell)) m_visible.add(e.instance);
+            map.forEachMember(*block->evidence(cell),
+                              [this](instance_id_t id) { m_visible.add(id); });
         });
     }
 }
@@ -43,10 +44,9 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
         for (const OpinionVoxel& v : opinion.voxels)
             if (const VoxelEvidence* evidence = map.evidence(frame.voxels.hits()[v.hit].coord)) {
                 ++mapped;
-                for (const auto& e : *evidence) m_common.add(e.instance);
+                map.forEachMember(*evidence, [this](instance_id_t id) { m_common.add(id); });
             }
         for (const instance_id_t id : m_common.counted()) {
-            if (id == UNKNOWN_INSTANCE) continue;
             const Instance& instance = map.instance(id);
             Overlap o;
             o.instance = id;

@@ -88,11 +88,13 @@ std::vector<InstanceOverlap> overlapsOf(const SemanticVoxelMap& map,
         blocks.insert(own.begin(), own.end());
     }
     std::map<IdPair, uint32_t> shared;
+    std::vector<instance_id_t> members;
     for (const VoxelCoord& b : blocks)
         map.blocks().find(b)->forEachSurface([&](int, const VoxelEvidence& evidence) {
-            for (const auto* i = evidence.begin(); i != evidence.end(); ++i)
-                for (const auto* j = i + 1; j != evidence.end(); ++j)
-                    if (i->instance != UNKNOWN_INSTANCE) ++shared[{i->instance, j->instance}];
+            members.clear();
+            map.forEachMember(evidence, [&](instance_id_t id) { members.push_back(id); });
+            for (size_t i = 0; i < members.size(); ++i)
+                for (size_t j = i + 1; j < members.size(); ++j) ++shared[{members[i], members[j]}];
         });
     std::vector<InstanceOverlap> overlaps;
     for (const auto& [pair, intersection] : shared) {

@@ -14,7 +14,7 @@ struct Instance
 {
     instance_id_t id = UNKNOWN_INSTANCE;
     CategoryEvidence categories;  //!< beta of the Dirichlet over categories
-    uint32_t voxels = 0;          //!< number of voxels with alpha > 0 for it
+    uint32_t voxels = 0;          //!< number of voxels that are part of it (MapOptions::membership)
     uint32_t observations = 0;    //!< number of opinions integrated
     uint32_t firstFrame = 0;      //!< number of the frame that first saw it, from 0
     uint32_t lastFrame = 0;       //!< number of the frame that last saw it

@@ -21,7 +21,10 @@ struct MapOptions
 {
     double resolution = 0.05;            //!< voxel edge [m], > 0
     OccupancyFilter::Options occupancy;  //!< of the binary Bayes filter
-    double prior_strength = 0;           //!< W: W/K is added to each of K known categories
+    double membership =
+        0.25;  //!< a voxel is part of an instance if that has at least this share of what
+               //!< speaks for instances there, in [0,1]; 0: a single vote does
+    double prior_strength = 0;  //!< W: W/K is added to each of K known categories
     EntropyMeasure entropy = EntropyMeasure::expected;  //!< the measure used by queries
 };
 
@@ -36,9 +39,9 @@ class SemanticVoxelMap
     explicit SemanticVoxelMap(const MapOptions& options = MapOptions());
 
     [[nodiscard]] const MapOptions& options() const { return m_options; }
-    /** Changes the options that only queries use (prior, entropy), and all of them while the map is empty.
-     *  \throws std::invalid_argument for options out of range, or another resolution or occupancy
-     *  model than the map was built with */
+    /** Changes the options that only queries use (prior, entropy), and all of them while the map is
+     * empty. \throws std::invalid_argument for options out of range, or another resolution or
+     * occupancy model than the map was built with */
     void setOptions(const MapOptions& options);
     [[nodiscard]] double resolution() const { return m_options.resolution; }
     [[nodiscard]] const OccupancyFilter& occupancyFilter() const { return m_filter; }
@@ -61,6 +64,16 @@ class SemanticVoxelMap
     [[nodiscard]] const VoxelEvidence* evidence(const VoxelCoord& v) const;
     /** Adds evidence for an instance (or UNKNOWN_INSTANCE) to a voxel. \param alpha > 0 */
     void addEvidence(const VoxelCoord& v, instance_id_t instance, float alpha);
+
+    /** Calls f(instance) for each instance that a voxel with this evidence is part of (see
+     *  MapOptions::membership), ordered by id; not for *unknown*. */
+    template <typename F>
+    void forEachMember(const VoxelEvidence& evidence, F&& f) const
+    {
+        const float least = evidence.membershipThreshold(m_options.membership);
+        for (const auto& e : evidence)
+            if (e.instance != UNKNOWN_INSTANCE && e.alpha >= least) f(e.instance);
+    }
 
     /** Calls f(VoxelCoord, occupancy, const VoxelEvidence&) for every surface voxel, ordered by
      *  coordinates of block and cell.
@@ -128,6 +141,10 @@ class SemanticVoxelMap
     void readFrom(mrpt::serialization::CArchive& in);
 
  private:
+    /** Changes a voxel's evidence and keeps the instances' numbers of voxels right.
+     *  \param change called as change(evidence) */
+    template <typename Change>
+    void changeEvidence(VoxelEvidence& evidence, Change&& change);
     /** Moves an instance's evidence in one voxel. */
     void moveEvidence(MapBlock& block, const VoxelCoord& blockCoord, int cell, instance_id_t from,
                       instance_id_t to);

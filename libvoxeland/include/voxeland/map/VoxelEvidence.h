@@ -47,6 +47,9 @@ class VoxelEvidence
 
     /** Sum of all evidence. */
     [[nodiscard]] float total() const;
+    /** Evidence that makes the voxel part of an instance: `share` of all that speaks for instances,
+     * *unknown* aside. \param share in [0,1]; 0: any evidence does */
+    [[nodiscard]] float membershipThreshold(double share) const;
     /** The instance with most evidence; among equals the one seen first, *unknown* last.
      * UNKNOWN_INSTANCE where there is no evidence. */
     [[nodiscard]] instance_id_t winner() const;
