@@ -5,6 +5,7 @@
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <cmath>
 #include <string>
 
 using namespace voxeland;
@@ -46,6 +47,26 @@ SemanticVoxelMap eventfulMap()
     for (int cell = 0; cell < BLOCK_CELLS; cell += 3)
         map.blocks().at({-7, 2, 0}).setOccupancy(cell, static_cast<log_odds_t>(cell - 200));
     return map;
+}
+template <typename Number>
+std::string bytesOf(Number number)
+{
+    return {reinterpret_cast<const char*>(&number), sizeof(number)};
+}
+
+/** What a map says that is read from bytes in which `from`, found once, was replaced. */
+std::string refusal(std::string bytes, const std::string& from, const std::string& to)
+{
+    const size_t at = bytes.find(from);
+    EXPECT_NE(at, std::string::npos);
+    EXPECT_EQ(bytes.find(from, at + 1), std::string::npos);
+    bytes.replace(at, from.size(), to);
+    try {
+        mapFrom(bytes);
+    } catch (const std::runtime_error& e) {
+        return e.what();
+    }
+    return "accepted";
 }
 }  // namespace
 
@@ -107,4 +128,30 @@ TEST(MapSerialization, CutOrForeignBytesAreRefused)
     std::string newer = bytes;
     newer[0] = 99;
     EXPECT_THROW(mapFrom(newer), std::runtime_error);
+}
+
+TEST(MapSerialization, ImpossibleContentIsRefused)
+{
+    constexpr float ALPHA = 1.2345F;
+    constexpr double BETA = 0.123456789;
+    SemanticVoxelMap map;
+    map.categories().add("chair");
+    Instance& chair = map.createInstance();
+    chair.categories.add(0, BETA);
+    map.addEvidence({1, 2, 3}, chair.id, ALPHA);
+    const std::string bytes = bytesOf(map), corrupt = "corrupt map: ";
+
+    for (const float alpha : {0.0F, -1.0F, std::nanf(""), INFINITY})
+        EXPECT_EQ(refusal(bytes, bytesOf(ALPHA), bytesOf(alpha)).find(corrupt), 0U) << alpha;
+    for (const double beta : {0.0, -1.0, std::nan(""), double{INFINITY}})
+        EXPECT_EQ(refusal(bytes, bytesOf(BETA), bytesOf(beta)).find(corrupt), 0U) << beta;
+    EXPECT_NE(refusal(bytes, bytesOf(category_id_t{0}) + bytesOf(BETA),
+                      bytesOf(category_id_t{1}) + bytesOf(BETA))
+                  .find("category"),
+              std::string::npos);
+    EXPECT_NE(refusal(bytes, bytesOf(chair.id) + bytesOf(ALPHA),
+                      bytesOf(instance_id_t{2}) + bytesOf(ALPHA))
+                  .find("instance"),
+              std::string::npos);
+    EXPECT_EQ(refusal(bytes, bytesOf(ALPHA), bytesOf(2 * ALPHA)), "accepted");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Frames.h"
+#include "voxeland/errors.h"
 #include "voxeland/observations/VoxelizedFrame.h"
 
 #include <gtest/gtest.h>
@@ -133,4 +134,33 @@ TEST(MaskProjection, PixelsTheColourCameraDoesNotSeeBelongToNoMask)
     for (const auto& [voxel, n] : pointsOf(voxels, all)) found += n;
     EXPECT_EQ(found, expected);
     EXPECT_LT(found, static_cast<uint32_t>(test::COLUMNS * test::ROWS));
+}
+
+TEST(MaskProjection, MasksOfAnotherSizeThanTheirImageAreRefused)
+{
+    const auto refusal = [](const VoxelizedFrame& frame, int width, int height) -> std::string {
+        try {
+            (void)frame.pointsOf(test::rectangleMask(0, 0, 8, 8, width, height));
+        } catch (const InputError& e) {
+            return e.what();
+        }
+        return "accepted";
+    };
+    RgbdFrame wall;
+    wall.scan = test::makeScan([](int, int) { return WALL; });
+    const VoxelizedFrame depthOnly(wall, RESOLUTION, {});
+    EXPECT_EQ(refusal(depthOnly, test::COLUMNS, test::ROWS), "accepted");
+    for (const auto& [width, height] :
+         {std::pair(test::COLUMNS, test::ROWS + 1), std::pair(test::ROWS, test::COLUMNS)})
+    {
+        const std::string message = refusal(depthOnly, width, height);
+        EXPECT_NE(message.find(std::to_string(width) + "x" + std::to_string(height)),
+                  std::string::npos)
+            << message;
+        EXPECT_NE(message.find("80x60"), std::string::npos) << message;
+    }
+
+    const VoxelizedFrame projected(OtherColourCamera().frame, RESOLUTION, {});
+    EXPECT_EQ(refusal(projected, OtherColourCamera::WIDTH, OtherColourCamera::HEIGHT), "accepted");
+    EXPECT_NE(refusal(projected, test::COLUMNS, test::ROWS).find("200x120"), std::string::npos);
 }

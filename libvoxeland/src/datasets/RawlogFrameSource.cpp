@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <utility>
 
 #include "voxeland/errors.h"
 #include "voxeland/io/GzInputFile.h"
@@ -76,9 +77,17 @@ std::optional<RgbdFrame> RawlogFrameSource::next()
         if (m_finished) return std::nullopt;
         if (m_beyondRange || !readOn()) {
             m_finished = true;
+            readSidecar(mrpt::Clock::time_point::max(), m_framesMet);
             m_assembler.finish();
         }
     }
+}
+
+FrameAssembler::Counts RawlogFrameSource::skipped() const
+{
+    FrameAssembler::Counts counts = m_assembler.counts();
+    counts.predictionsWithoutFrame += m_sidecarWithoutFrame;
+    return counts;
 }
 
 double RawlogFrameSource::progress() const { return m_input->progress(); }
@@ -143,18 +152,24 @@ void RawlogFrameSource::takeScan(const CObservation::Ptr& observation)
     const uint32_t number = m_framesMet++;
     // Poses and predictions of the last frames may come as late as for any other frame.
     m_beyondRange = number > m_range.to && number - m_range.to >= m_options.prediction_wait;
-    const bool wanted = number >= m_range.from && number <= m_range.to &&
-                        (number - m_range.from) % m_range.every == 0;
-    if (!wanted) {
+    readSidecar(observation->timestamp, number);
+    if (!isWanted(number)) {
         m_assembler.skipScan(observation->timestamp);
         return;
     }
-    readSidecar(observation->timestamp);
     m_assembler.addScan(std::dynamic_pointer_cast<CObservation3DRangeScan>(observation));
 }
 
-void RawlogFrameSource::readSidecar(const mrpt::Clock::time_point& until)
+bool RawlogFrameSource::isWanted(uint32_t number) const
 {
+    return number >= m_range.from && number <= m_range.to &&
+           (number - m_range.from) % m_range.every == 0;
+}
+
+void RawlogFrameSource::readSidecar(const mrpt::Clock::time_point& until, uint32_t frameNumber)
+{
+    if (frameNumber > m_range.to) return;
+    const std::string& label = m_options.instances_sensor_label;
     while (m_sidecar) {
         if (!m_nextOfSidecar) {
             const auto object = m_sidecar->readObject();
@@ -163,8 +178,12 @@ void RawlogFrameSource::readSidecar(const mrpt::Clock::time_point& until)
         }
         if (!m_nextOfSidecar) continue;
         if (m_nextOfSidecar->timestamp > until) return;
-        if (m_nextOfSidecar->timestamp == until) m_assembler.addInstances(m_nextOfSidecar);
-        m_nextOfSidecar.reset();
+        const auto predictions = std::exchange(m_nextOfSidecar, nullptr);
+        if (!label.empty() && label != predictions->sensorLabel) continue;
+        if (predictions->timestamp < until)
+            m_sidecarWithoutFrame += frameNumber >= m_range.from ? 1 : 0;
+        else if (isWanted(frameNumber))
+            m_assembler.addInstances(predictions);
     }
 }
 }  // namespace voxeland

@@ -4,6 +4,7 @@
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/serialization/stl_serialization.h>
 
+#include <cmath>
 #include <stdexcept>
 
 using mrpt::serialization::CArchive;
@@ -51,13 +52,25 @@ void write(CArchive& out, const Instance& i)
     for (const auto& b : i.blocks) write(out, b);
 }
 
-Instance readInstance(CArchive& in)
+/** Refuses evidence that no mapping could have given. */
+template <typename Number>
+Number readEvidence(CArchive& in)
+{
+    const auto evidence = in.ReadAs<Number>();
+    if (!(evidence > 0) || !std::isfinite(evidence))
+        throw std::runtime_error("corrupt map: evidence of " + std::to_string(evidence));
+    return evidence;
+}
+
+Instance readInstance(CArchive& in, const CategoryTable& categories)
 {
     Instance i;
     in >> i.id >> i.observations >> i.firstFrame >> i.lastFrame >> i.tracks;
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         const auto category = in.ReadAs<category_id_t>();
-        i.categories.add(category, in.ReadAs<double>());
+        if (category >= categories.size())
+            throw std::runtime_error("corrupt map: evidence for a category it lacks");
+        i.categories.add(category, readEvidence<double>(in));
     }
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) i.blocks.insert(readCoord(in));
     return i;
@@ -97,8 +110,11 @@ void SemanticVoxelMap::readFrom(CArchive& in)
     in >> names >> read.m_nextInstance >> read.m_absorbed;
     for (const auto& name : names) read.m_categories.add(name);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
-        Instance i = readInstance(in);
-        read.m_instances.emplace(i.id, std::move(i));
+        Instance i = readInstance(in, read.m_categories);
+        const instance_id_t id = i.id;
+        if (id == UNKNOWN_INSTANCE || id >= read.m_nextInstance ||
+            !read.m_instances.emplace(id, std::move(i)).second)
+            throw std::runtime_error("corrupt map: an instance numbered " + std::to_string(id));
     }
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         const VoxelCoord coord = readCoord(in);
@@ -111,7 +127,7 @@ void SemanticVoxelMap::readFrom(CArchive& in)
                 throw std::runtime_error("corrupt map: no such voxel in a block");
             for (auto entries = in.ReadAs<uint32_t>(); entries > 0; --entries) {
                 const auto instance = in.ReadAs<instance_id_t>();
-                const auto alpha = in.ReadAs<float>();
+                const auto alpha = readEvidence<float>(in);
                 if (instance != UNKNOWN_INSTANCE && read.m_instances.count(instance) == 0)
                     throw std::runtime_error("corrupt map: evidence for an instance it lacks");
                 read.addEvidence(voxelAt(coord, cell), instance, alpha);

@@ -27,7 +27,8 @@ std::string nameOf(const mrpt::obs::CObservation& o)
     return "frame '" + o.sensorLabel + "' of " + mrpt::system::dateTimeToString(o.timestamp);
 }
 
-std::string sizeText(uint64_t columns, uint64_t rows)
+template <typename Integer>
+std::string sizeText(Integer columns, Integer rows)
 {
     return std::to_string(columns) + "x" + std::to_string(rows);
 }
@@ -40,11 +41,9 @@ void checkScan(const CObservation3DRangeScan& scan)
     const TCamera& camera = scan.cameraParams;
     if (image.cols() != static_cast<int>(camera.ncols) ||
         image.rows() != static_cast<int>(camera.nrows))
-        throw InputError(
-            nameOf(scan) + " has a depth image of " +
-            sizeText(static_cast<uint64_t>(image.cols()), static_cast<uint64_t>(image.rows())) +
-            " pixels but a calibration for " + sizeText(camera.ncols, camera.nrows) +
-            ": correct its cameraParams");
+        throw InputError(nameOf(scan) + " has a depth image of " +
+                         sizeText(image.cols(), image.rows()) + " pixels but a calibration for " +
+                         sizeText(camera.ncols, camera.nrows) + ": correct its cameraParams");
     const bool valid = camera.fx() > 0 && camera.fy() > 0 && std::isfinite(camera.cx()) &&
                        std::isfinite(camera.cy()) && scan.rangeUnits > 0 &&
                        std::isfinite(scan.rangeUnits);
@@ -68,8 +67,7 @@ void checkPredictions(const CObservation3DRangeScan& scan, const CObservationIns
         predictions.imageHeight == static_cast<int>(camera.nrows))
         return;
     throw InputError(nameOf(scan) + " has predictions for images of " +
-                     sizeText(static_cast<uint64_t>(predictions.imageWidth),
-                              static_cast<uint64_t>(predictions.imageHeight)) +
+                     sizeText(predictions.imageWidth, predictions.imageHeight) +
                      " pixels but a colour camera of " + sizeText(camera.ncols, camera.nrows) +
                      ": make the predictions at the camera's size");
 }
@@ -112,7 +110,11 @@ VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const 
     m_focalLength = scan.cameraParams.fx();
     m_origin = sensorPose.translation();
     m_hitOfPixel = groupPixels(scan, sensorPose, resolution, limits, m_hits);
-    if (frame.instances && !camerasCoincide(scan)) projectIntoColour(scan);
+    const bool project = frame.instances && !camerasCoincide(scan);
+    if (project) projectIntoColour(scan);
+    const TCamera& masked = project ? maskCamera(scan) : scan.cameraParams;
+    m_maskWidth = static_cast<int>(masked.ncols);
+    m_maskHeight = static_cast<int>(masked.nrows);
 }
 
 void VoxelizedFrame::projectIntoColour(const CObservation3DRangeScan& scan)
@@ -146,6 +148,10 @@ void VoxelizedFrame::projectIntoColour(const CObservation3DRangeScan& scan)
 
 std::vector<std::pair<uint32_t, uint32_t>> VoxelizedFrame::pointsOf(const RunLengthMask& mask) const
 {
+    if (mask.width() != m_maskWidth || mask.height() != m_maskHeight)
+        throw InputError("a prediction has a mask of " + sizeText(mask.width(), mask.height()) +
+                         " pixels but its image has " + sizeText(m_maskWidth, m_maskHeight) +
+                         ": make the masks at the image's size");
     std::vector<uint32_t> count(m_hits.size(), 0);
     std::vector<std::pair<uint32_t, uint32_t>> points;
     const auto add = [&](int32_t hit, uint32_t n) {

@@ -47,7 +47,8 @@ class RawlogFrameSource
     [[nodiscard]] double progress() const;
     /** RGB-D frames met so far, whether used or not. */
     [[nodiscard]] uint32_t framesMet() const { return m_framesMet; }
-    [[nodiscard]] const FrameAssembler::Counts& skipped() const { return m_assembler.counts(); }
+    /** What of the range could not be used. */
+    [[nodiscard]] FrameAssembler::Counts skipped() const;
 
    private:
     /** Gives what the next object of the file holds to the assembler; false at the end. */
@@ -55,8 +56,12 @@ class RawlogFrameSource
     void take(const std::shared_ptr<mrpt::serialization::CSerializable>& object);
     void takeObservation(const std::shared_ptr<mrpt::obs::CObservation>& observation);
     void takeScan(const std::shared_ptr<mrpt::obs::CObservation>& observation);
-    /** Gives the assembler the sidecar's predictions up to a time. */
-    void readSidecar(const mrpt::Clock::time_point& until);
+    /** Whether a frame of this number is not left out on purpose. */
+    [[nodiscard]] bool isWanted(uint32_t number) const;
+    /** Reads the sidecar up to the time of a frame and gives that frame's predictions, if it is wanted, to
+     *  the assembler. Predictions between two frames belong to none; which part of a run cut in several
+     *  counts them is decided by the later frame. */
+    void readSidecar(const mrpt::Clock::time_point& until, uint32_t frameNumber);
 
     std::string m_file;
     InputOptions m_options;
@@ -66,6 +71,7 @@ class RawlogFrameSource
     FrameAssembler m_assembler;
     mrpt::poses::CPose3D m_actionsPose;  //!< where the actions so far have led
     uint32_t m_framesMet = 0;
+    uint32_t m_sidecarWithoutFrame = 0;  //!< predictions of the sidecar that no scan has the timestamp of
     bool m_beyondRange = false, m_finished = false;
 };
 }  // namespace voxeland

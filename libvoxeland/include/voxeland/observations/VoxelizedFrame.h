@@ -18,11 +18,12 @@ struct HitVoxel
     mrpt::math::TPoint3D centroid;  //!< mean of those points, in the map's frame [m]
 };
 
-/** Which depths to use. */
+/** Which depths to use. They limit what the scan's range image holds: the depth along the optical
+ * axis, or the distance from the camera for scans with `range_is_depth = false`. */
 struct DepthLimits
 {
-    double min_depth = 0.3;  //!< nearest depth used, along the optical axis [m]
-    double max_depth = 4.0;  //!< farthest depth used [m]
+    double min_depth = 0.3;  //!< nearest used [m]
+    double max_depth = 4.0;  //!< farthest used [m]
 };
 
 /** The pixels of a depth image grouped by the voxel their 3D points fall in: everything after works
@@ -47,8 +48,10 @@ class VoxelizedFrame
     /** The voxels hit, in row-major order of their first pixel. */
     [[nodiscard]] const std::vector<HitVoxel>& hits() const { return m_hits; }
 
-    /** How many depth pixels of a mask (of the colour image) fall in each hit voxel.
-     *  \return pairs of the hit's number and that count, in order of first pixel */
+    /** How many depth pixels of a mask fall in each hit voxel.
+     *  \param mask of the colour image, or of the depth image where the frame has no predictions
+     *  \return pairs of the hit's number and that count, in order of first pixel
+     *  \throws InputError for a mask of another size than that image's */
     [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> pointsOf(
         const RunLengthMask& mask) const;
 
@@ -57,6 +60,7 @@ class VoxelizedFrame
 
     double m_resolution;
     double m_focalLength = 0;
+    int m_maskWidth = 0, m_maskHeight = 0;  //!< size of the image that masks are of [pixels]
     mrpt::math::TPoint3D m_origin;
     std::vector<HitVoxel> m_hits;
     std::vector<int32_t> m_hitOfPixel;     //!< depth pixel -> hit number or NO_HIT

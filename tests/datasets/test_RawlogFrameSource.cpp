@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Which predictions of a sidecar reach a frame, and which are counted as lost. */
+#include "support/SmallRawlog.h"
+#include "support/TestFiles.h"
+#include "voxeland/datasets/RawlogFrameSource.h"
+
+#include <gtest/gtest.h>
+
+using namespace voxeland;
+using namespace voxeland::test;
+
+namespace
+{
+/** What reading a rawlog gave. */
+struct Read
+{
+    uint32_t frames = 0, withPredictions = 0, predictionsWithoutFrame = 0;
+};
+
+Read readAll(const std::string& file, const FrameRange& range, const InputOptions& options = {})
+{
+    RawlogFrameSource source(file, options, range);
+    Read read;
+    while (const auto frame = source.next()) {
+        ++read.frames;
+        read.withPredictions += frame->instances ? 1 : 0;
+    }
+    read.predictionsWithoutFrame = source.skipped().predictionsWithoutFrame;
+    return read;
+}
+
+/** A rawlog of twelve moments, of which 0, 3, 4, 8 and 11 have predictions but no scan: the frames
+ * are the moments 1 2 5 6 7 9 10. */
+class SidecarWithGaps : public ::testing::Test
+{
+ protected:
+    void SetUp() override
+    {
+        auto frames = smallFrames(12);
+        for (const size_t i : {0U, 3U, 4U, 8U, 11U}) frames[i].scan = nullptr;
+        writeRawlog(m_file, frames);
+    }
+
+    TemporaryFolder m_folder;
+    std::string m_file = m_folder.file("in.rawlog");
+};
+}  // namespace
+
+TEST_F(SidecarWithGaps, PredictionsWithoutAFrameAreCounted)
+{
+    const Read all = readAll(m_file, {});
+    EXPECT_EQ(all.frames, 7U);
+    EXPECT_EQ(all.withPredictions, 7U);
+    EXPECT_EQ(all.predictionsWithoutFrame, 5U);
+}
+
+TEST_F(SidecarWithGaps, PredictionsOfFramesLeftOutOnPurposeAreNot)
+{
+    const Read third = readAll(m_file, {0, UINT32_MAX, 3});
+    EXPECT_EQ(third.frames, 3U);
+    EXPECT_EQ(third.withPredictions, 3U);
+    EXPECT_EQ(third.predictionsWithoutFrame, 5U);
+}
+
+TEST_F(SidecarWithGaps, TheCountsOfTwoPartsOfARunAddUp)
+{
+    for (uint32_t last = 0; last < 6; ++last) {
+        const Read first = readAll(m_file, {0, last, 1});
+        const Read second = readAll(m_file, {last + 1, UINT32_MAX, 1});
+        EXPECT_EQ(first.frames, last + 1);
+        EXPECT_EQ(second.frames, 6 - last);
+        EXPECT_EQ(first.predictionsWithoutFrame + second.predictionsWithoutFrame, 5U) << last;
+    }
+    EXPECT_EQ(readAll(m_file, {2, 4, 1}).predictionsWithoutFrame, 2U) << "moments 3 and 4";
+}
+
+TEST(RawlogFrameSource, TakesOnlyTheSidecarsPredictionsOfTheSensorAskedFor)
+{
+    const TemporaryFolder folder;
+    auto frames = smallFrames(6);
+    for (size_t i = 0; i < frames.size(); ++i)
+        frames[i].instances->sensorLabel = i % 3 == 0 ? "yolo" : "mask2former";
+    frames[4].scan = nullptr;
+    writeRawlog(folder.file("in.rawlog"), frames);
+    InputOptions options;
+    options.instances_sensor_label = "yolo";
+    const Read yolo = readAll(folder.file("in.rawlog"), {}, options);
+    EXPECT_EQ(yolo.frames, 5U);
+    EXPECT_EQ(yolo.withPredictions, 2U);
+    EXPECT_EQ(yolo.predictionsWithoutFrame, 0U);
+}
