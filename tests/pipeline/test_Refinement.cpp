@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Division and merging of instances on maps made by hand. */
+#include "HandMadeMap.h"
+#include "voxeland/pipeline/Refinement.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+namespace voxeland
+{
+/** Merges nothing, and remembers what it was asked. */
+class CWitnessPolicy : public CAssociationPolicy
+{
+    DEFINE_MRPT_OBJECT(CWitnessPolicy, voxeland)
+
+ public:
+    [[nodiscard]] std::string description() const override { return "remembers pairs"; }
+    void declareOptions(OptionList&) override {}
+    [[nodiscard]] std::vector<Assignment> associate(const std::vector<OpinionOverlaps>&,
+                                                    const SemanticVoxelMap&) const override
+    {
+        return {};
+    }
+    [[nodiscard]] bool mayMerge(const InstanceOverlap& overlap, const MergeThresholds&,
+                                const SemanticVoxelMap&) const override
+    {
+        m_asked.push_back(overlap);
+        return false;
+    }
+    [[nodiscard]] const std::vector<InstanceOverlap>& asked() const { return m_asked; }
+
+ private:
+    mutable std::vector<InstanceOverlap> m_asked;
+};
+IMPLEMENTS_MRPT_OBJECT(CWitnessPolicy, voxeland::CAssociationPolicy, voxeland)
+}  // namespace voxeland
+
+using namespace voxeland;
+using namespace voxeland::test;
+
+namespace
+{
+/** Refines by the paper's policy and says how often the map changed. */
+MappingCounts refined(SemanticVoxelMap& map, const RefinementOptions& options,
+                      uint32_t sinceFrame = 0)
+{
+    MappingCounts counts;
+    refine(map, *evidentialPolicy(), options, sinceFrame, counts);
+    return counts;
+}
+
+/** Boxes of 160 and 64 voxels that share 48: IoS 0.75, IoU 3/11. */
+SemanticVoxelMap overlappingBoxes(const std::string& categoryA, const std::string& categoryB,
+                                  uint32_t lastFrameOfA = 0)
+{
+    SemanticVoxelMap map = handMadeMap();
+    const instance_id_t a = addInstance(map, categoryA, 2, lastFrameOfA);
+    const instance_id_t b = addInstance(map, categoryB, 1, 0);
+    addBox(map, a, {0, 0, 0}, {10, 4, 4});
+    addBox(map, b, {7, 0, 0}, {4, 4, 4});
+    return map;
+}
+
+/** Where instance 2 lies, instance 1 has a share as well, but what it wins lies elsewhere. */
+SemanticVoxelMap sharedButApart()
+{
+    SemanticVoxelMap map = handMadeMap();
+    const instance_id_t a = addInstance(map, "chair"), b = addInstance(map, "chair");
+    addBox(map, a, {0, 0, 0}, {5, 5, 5});
+    addBox(map, a, {20, 0, 0}, {4, 4, 4}, 1);
+    addBox(map, b, {20, 0, 0}, {4, 4, 4}, 2);
+    return map;
+}
+}  // namespace
+
+TEST(RefinementDivides, TwoCubesBecomeTwoInstancesWithTheirShareOfEvidence)
+{
+    SemanticVoxelMap map = handMadeMap();
+    const instance_id_t old = addInstance(map, "chair", 6);
+    const category_id_t sofa = map.categories().add("sofa");
+    map.instance(old).categories.add(sofa, 2);
+    addBox(map, old, {0, 0, 0}, {5, 5, 5}, 1);   // evidence 125
+    addBox(map, old, {12, 0, 0}, {4, 4, 4}, 3);  // evidence 192
+    const MappingCounts counts = refined(map, handMadeRefinement());
+    EXPECT_EQ(counts.splits, 1U);
+    EXPECT_EQ(counts.merges, 0U);
+    ASSERT_EQ(map.instances().size(), 2U);
+    const Instance& kept = map.instance(old);
+    const Instance& divided = map.instances().rbegin()->second;
+    EXPECT_EQ(kept.voxels, 125U) << "the part with more voxels keeps the number";
+    EXPECT_EQ(divided.voxels, 64U);
+    EXPECT_DOUBLE_EQ(evidenceOf(map, old), 125);
+    EXPECT_DOUBLE_EQ(evidenceOf(map, divided.id), 192);
+    const category_id_t chair = map.categories().add("chair");
+    for (const auto& [category, beta] : {std::pair(chair, 6.0), std::pair(sofa, 2.0)}) {
+        EXPECT_NEAR(divided.categories.betaOf(category), beta * 192 / 317, 1e-12);
+        EXPECT_NEAR(kept.categories.betaOf(category), beta * 125 / 317, 1e-12);
+    }
+}
+
+TEST(RefinementDivides, OnlySizeableParts)
+{
+    const auto splits = [](const RefinementOptions& options) {
+        SemanticVoxelMap map = handMadeMap();
+        const instance_id_t id = addInstance(map, "chair", 9);
+        addBox(map, id, {0, 0, 0}, {5, 5, 5});
+        addBox(map, id, {12, 0, 0}, {3, 3, 3});
+        addBox(map, id, {0, 12, 0}, {2, 2, 2});
+        const MappingCounts counts = refined(map, options);
+        double beta = 0;
+        for (const auto& [number, instance] : map.instances()) beta += instance.categories.total();
+        EXPECT_NEAR(beta, 9, 1e-12);
+        EXPECT_EQ(map.instances().size(), counts.splits + 1);
+        return counts.splits;
+    };
+    RefinementOptions options = handMadeRefinement();
+    options.min_part_voxels = 8;
+    options.min_part_share = 0.04;  // of 160 voxels
+    EXPECT_EQ(splits(options), 2U);
+    options.min_part_voxels = 9;
+    EXPECT_EQ(splits(options), 1U);
+    options.min_part_voxels = 28;
+    EXPECT_EQ(splits(options), 0U);
+    options.min_part_voxels = 8;
+    options.min_part_share = 0.06;
+    EXPECT_EQ(splits(options), 1U);
+    options.split = false;
+    EXPECT_EQ(splits(options), 0U);
+}
+
+TEST(RefinementMerges, WhatIsNearlyTheSamePlaceWhateverTheCategory)
+{
+    SemanticVoxelMap map = handMadeMap();
+    const instance_id_t a = addInstance(map, "chair", 2), b = addInstance(map, "sofa", 1);
+    addBox(map, a, {0, 0, 0}, {10, 4, 4});
+    addBox(map, b, {1, 0, 0}, {10, 4, 4});  // 144 shared of 176: IoU 0.818
+    RefinementOptions options = handMadeRefinement();
+    options.merge.iou = 0.82;
+    EXPECT_EQ(refined(map, options).merges, 0U);
+    options.merge.iou = 0.81;
+    EXPECT_EQ(refined(map, options).merges, 1U);
+    EXPECT_EQ(map.resolve(b), a) << "of equals the older one stays";
+    EXPECT_EQ(map.instance(a).voxels, 176U);
+    EXPECT_DOUBLE_EQ(map.instance(a).categories.total(), 3);
+}
+
+TEST(RefinementMerges, PartsOfOneCategoryByOverlapOverSmaller)
+{
+    SemanticVoxelMap map = overlappingBoxes("chair", "chair");
+    RefinementOptions options = handMadeRefinement();
+    options.merge.ios = 0.76;
+    EXPECT_EQ(refined(map, options).merges, 0U);
+    options.merge.ios = 0.74;
+    options.merge.use_ios = false;
+    EXPECT_EQ(refined(map, options).merges, 0U);
+    options.merge.use_ios = true;
+    EXPECT_EQ(refined(map, options).merges, 1U);
+    EXPECT_EQ(map.resolve(2), 1U) << "the larger one stays";
+    EXPECT_EQ(map.instance(1).voxels, 176U);
+    EXPECT_DOUBLE_EQ(evidenceOf(map, 1), 224);
+    EXPECT_DOUBLE_EQ(map.instance(1).categories.total(), 3);
+}
+
+TEST(RefinementMerges, NotWhatHasAnotherCategory)
+{
+    SemanticVoxelMap map = overlappingBoxes("table", "cup");
+    const std::string before = bytesOf(map);
+    EXPECT_EQ(refined(map, handMadeRefinement()).merges, 0U);
+    EXPECT_EQ(bytesOf(map), before);
+}
+
+TEST(RefinementMerges, NotWhatIsNotConnected)
+{
+    SemanticVoxelMap map = sharedButApart();
+    RefinementOptions options = handMadeRefinement();
+    const std::string before = bytesOf(map);
+    EXPECT_EQ(refined(map, options).merges, 0U);
+    EXPECT_EQ(bytesOf(map), before);
+    options.continuity = false;
+    EXPECT_EQ(refined(map, options).merges, 1U);
+    EXPECT_EQ(map.instance(1).voxels, 189U);
+}
+
+TEST(Refinement, TouchesNothingThatWasNotSeenLately)
+{
+    SemanticVoxelMap map = overlappingBoxes("chair", "chair");
+    const instance_id_t fallenApart = addInstance(map, "sofa", 1, 4);
+    addBox(map, fallenApart, {0, 40, 0}, {4, 4, 4});
+    addBox(map, fallenApart, {0, 60, 0}, {4, 4, 4});
+    const std::string before = bytesOf(map);
+    const MappingCounts untouched = refined(map, handMadeRefinement(), 5);
+    EXPECT_EQ(untouched.merges + untouched.splits, 0U);
+    EXPECT_EQ(bytesOf(map), before);
+
+    const MappingCounts lately = refined(map, handMadeRefinement(), 4);
+    EXPECT_EQ(lately.splits, 1U);
+    EXPECT_EQ(lately.merges, 0U);
+
+    SemanticVoxelMap half = overlappingBoxes("chair", "chair", 7);
+    EXPECT_EQ(refined(half, handMadeRefinement(), 7).merges, 1U) << "one of them was seen";
+}
+
+TEST(Refinement, OverlapsAreThoseOfBruteForce)
+{
+    SemanticVoxelMap map = handMadeMap();
+    for (uint32_t i = 0; i < 6; ++i) addInstance(map, i % 2 == 0 ? "chair" : "table", 1, i);
+    std::mt19937 random(5);
+    std::uniform_int_distribution<int32_t> place(-6, 6);
+    std::uniform_int_distribution<instance_id_t> any(UNKNOWN_INSTANCE, 6);
+    for (int i = 0; i < 2000; ++i)
+        addBox(map, any(random), {place(random), place(random), place(random) / 3}, {1, 1, 1},
+               static_cast<float>(1 + i % 4));
+
+    // Members of a voxel: at least a quarter of what speaks for instances there.
+    std::map<instance_id_t, uint32_t> voxels;
+    std::map<std::pair<instance_id_t, instance_id_t>, uint32_t> shared;
+    map.forEachVoxel([&](const VoxelCoord&, log_odds_t, const VoxelEvidence& evidence) {
+        float known = 0;
+        for (const auto& e : evidence) known += e.instance == UNKNOWN_INSTANCE ? 0 : e.alpha;
+        std::set<instance_id_t> members;
+        for (const auto& e : evidence)
+            if (e.instance != UNKNOWN_INSTANCE && 4 * e.alpha >= known) members.insert(e.instance);
+        for (const instance_id_t a : members) {
+            ++voxels[a];
+            for (const instance_id_t b : members)
+                if (a < b) ++shared[{a, b}];
+        }
+    });
+    ASSERT_GT(shared.size(), 10U);
+
+    constexpr uint32_t SINCE = 4;  // instances 5 and 6 were seen since
+    RefinementOptions options = handMadeRefinement();
+    options.split = false;
+    const CWitnessPolicy witness;
+    MappingCounts counts;
+    refine(map, witness, options, SINCE, counts);
+    size_t expected = 0;
+    for (const auto& [pair, count] : shared) expected += pair.second > SINCE ? 1 : 0;
+    EXPECT_EQ(witness.asked().size(), expected);
+    double previous = 1;
+    for (const InstanceOverlap& o : witness.asked()) {
+        EXPECT_GT(o.b, SINCE);
+        EXPECT_EQ(o.intersection, (shared[{o.a, o.b}]));
+        EXPECT_EQ(o.voxelsA, voxels[o.a]);
+        EXPECT_EQ(o.voxelsB, voxels[o.b]);
+        EXPECT_NEAR(o.similarity, o.a % 2 == o.b % 2 ? 1 : 0, 1e-9);
+        EXPECT_LE(o.ios(), previous) << "the most certain first";
+        previous = o.ios();
+    }
+    EXPECT_EQ(counts.merges, 0U);
+}
