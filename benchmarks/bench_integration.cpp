@@ -62,7 +62,8 @@ void raysOccupancyAndEvidence(benchmark::State& state)
         integrateOccupancy(space, map);
         integrateGeometry(frames[n], associated.instances[n], config.integration.unknown_weight,
                           map);
-        integrateSemantics(associated.opinions[n], associated.instances[n], i, map);
+        integrateSemantics(associated.opinions[n], associated.instances[n], i,
+                           config.integration.sharpness, map);
     }
     state.SetLabel("budget 1.5 ms");
 }

@@ -31,7 +31,7 @@ class CEvidentialAssociation : public CAssociationPolicy
     /** Orders the instances an opinion matches. */
     [[nodiscard]] double quality(const Overlap& overlap) const;
 
-    double m_tauIoU = 0.3, m_tauIoVStrict = 0.6, m_tauIoVRelaxed = 0.25;
+    double m_tauIoU = 0.5, m_tauIoVStrict = 0.6, m_tauIoVRelaxed = 0.25;
     double m_tauPiece = 0.7, m_pieceSimilarity = 0.5;
     bool m_useIoV = true, m_useSimilarity = true;
 };

@@ -22,6 +22,7 @@ class Comparison : public testing::Test
     {
         MapOptions o;
         o.resolution = resolution;
+        o.prior_strength = 0;
         return o;
     }
     instance_id_t addInstance(const std::string& category, double beta)

@@ -37,6 +37,7 @@ inline SemanticVoxelMap tinyMap()
 {
     MapOptions options;
     options.resolution = TINY_RESOLUTION;
+    options.prior_strength = 0;
     SemanticVoxelMap map(options);
     const instance_id_t seat = addInstance(map, {{"chair", 2}, {"table", 2}});
     const instance_id_t cup = addInstance(map, {{"cup", 3}});

@@ -34,6 +34,7 @@ SemanticVoxelMap room()
 {
     MapOptions options;
     options.resolution = test::TINY_RESOLUTION;
+    options.prior_strength = 0;
     SemanticVoxelMap map(options);
     const auto left = test::addInstance(map, {{"chair", 5}});
     const auto right = test::addInstance(map, {{"table", 1}, {"bed", 1}});

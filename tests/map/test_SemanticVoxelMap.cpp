@@ -30,10 +30,14 @@ void expectConsistent(const SemanticVoxelMap& map)
     map.forEachVoxel(
         [&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
             EXPECT_GT(evidence.size(), 0u);
+            float known = 0;
+            for (const auto& e : evidence)
+                if (e.instance != UNKNOWN_INSTANCE) known += e.alpha;
+            const auto membership = static_cast<float>(map.options().membership);
             for (const auto& e : evidence) {
                 EXPECT_GT(e.alpha, 0);
                 if (e.instance == UNKNOWN_INSTANCE) continue;
-                ++voxels[e.instance];
+                if (e.alpha >= membership * known) ++voxels[e.instance];
                 const auto at = map.instances().find(e.instance);
                 ASSERT_NE(at, map.instances().end()) << "evidence for an instance that is gone";
                 EXPECT_EQ(at->second.blocks.count(blockOf(v)), 1u);

@@ -127,8 +127,8 @@ TEST(IntegrateSemantics, BetaGrowsByConfidenceTimesProbability)
     overlaps.opinion = &o;
     overlaps.categories.add(chair, 0.75);
     overlaps.categories.add(sofa, 0.25);
-    integrateSemantics({overlaps}, {id}, 4, map);
-    integrateSemantics({overlaps, overlaps}, {id, id}, 7, map);
+    integrateSemantics({overlaps}, {id}, 4, 1, map);
+    integrateSemantics({overlaps, overlaps}, {id, id}, 7, 1, map);
     const Instance& instance = map.instance(id);
     EXPECT_DOUBLE_EQ(instance.categories.betaOf(chair), 3 * 0.375);
     EXPECT_DOUBLE_EQ(instance.categories.betaOf(sofa), 3 * 0.125);
@@ -136,6 +136,21 @@ TEST(IntegrateSemantics, BetaGrowsByConfidenceTimesProbability)
     EXPECT_EQ(instance.firstFrame, 4u);
     EXPECT_EQ(instance.lastFrame, 7u);
     EXPECT_EQ(instance.tracks, (std::set<int64_t>{9}));
+}
+
+TEST(IntegrateSemantics, SharpnessFavoursTheMostProbableCategory)
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id;
+    const category_id_t chair = map.categories().add("chair"), sofa = map.categories().add("sofa");
+    const Opinion o = opinion(0, 1, 0.5F);
+    OpinionOverlaps overlaps;
+    overlaps.opinion = &o;
+    overlaps.categories.add(chair, 0.75);
+    overlaps.categories.add(sofa, 0.25);
+    integrateSemantics({overlaps}, {id}, 0, 2, map);  // 9/16 : 1/16 -> 0.9 : 0.1
+    EXPECT_NEAR(map.instance(id).categories.betaOf(chair), 0.5 * 0.9, 1e-12);
+    EXPECT_NEAR(map.instance(id).categories.betaOf(sofa), 0.5 * 0.1, 1e-12);
 }
 
 TEST(ResolveAssignments, NewInstancesOfOneNumberAreOne)

@@ -80,7 +80,10 @@ float VoxelEvidence::total() const
 
 float VoxelEvidence::membershipThreshold(double share) const
 {
-    return static_cast<float>(share) * (total() - alphaOf(UNKNOWN_INSTANCE));
+    float known = 0;
+    for (const Entry& e : *this)
+        if (e.instance != UNKNOWN_INSTANCE) known += e.alpha;
+    return static_cast<float>(share) * known;
 }
 
 instance_id_t VoxelEvidence::winner() const

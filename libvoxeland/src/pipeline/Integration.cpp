@@ -2,6 +2,7 @@
 #include "voxeland/pipeline/Integration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace voxeland
@@ -13,6 +14,17 @@ namespace
 float specificity(const Opinion& o)
 {
     return o.confidence / static_cast<float>(o.voxels.size());
+}
+
+/** A distribution raised to a power and normalized. */
+CategoryEvidence sharpened(const CategoryEvidence& distribution, double exponent)
+{
+    double sum = 0;
+    for (const auto& e : distribution.entries()) sum += std::pow(e.beta, exponent);
+    CategoryEvidence result;
+    for (const auto& e : distribution.entries())
+        result.add(e.category, std::pow(e.beta, exponent) / sum);
+    return result;
 }
 }  // namespace
 
@@ -78,12 +90,13 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
 
 void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
                         const std::vector<instance_id_t>& instances, uint32_t frameNumber,
-                        SemanticVoxelMap& map)
+                        double sharpness, SemanticVoxelMap& map)
 {
     for (size_t i = 0; i < opinions.size(); ++i) {
         const Opinion& opinion = *opinions[i].opinion;
         Instance& instance = map.instance(instances[i]);
-        instance.categories.add(opinions[i].categories, static_cast<double>(opinion.confidence));
+        instance.categories.add(sharpened(opinions[i].categories, sharpness),
+                                static_cast<double>(opinion.confidence));
         if (instance.observations == 0) instance.firstFrame = frameNumber;
         instance.lastFrame = frameNumber;
         ++instance.observations;

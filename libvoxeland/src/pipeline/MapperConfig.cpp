@@ -45,6 +45,9 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
              "A voxel is part of an instance that has this share of its evidence for instances");
     list.add("unknown_weight", integration.unknown_weight, {0, 1},
              "Evidence for 'unknown' of a depth pixel that no detection claims");
+    list.add("sharpness", integration.sharpness, {1, 100},
+             "Exponent of category probabilities before they count as evidence; large: the most "
+             "probable category alone, as in the paper");
     list.add("visibility_margin", integration.visibility_margin, {0, 10},
              "A voxel this far behind the measured depth still counts as seen [m]");
     list.add("prior_strength", o.prior_strength, {0, INF},

@@ -60,7 +60,7 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
         const auto instances = resolveAssignments(assignments, map);
         integrateOccupancy(frame.space, map);
         integrateGeometry(frame, instances, m_config.integration.unknown_weight, map);
-        integrateSemantics(opinions, instances, counts.frames, map);
+        integrateSemantics(opinions, instances, counts.frames, m_config.integration.sharpness, map);
     }
     ++counts.frames;
     counts.framesWithoutPredictions += frame.hasPredictions ? 0 : 1;

@@ -24,7 +24,7 @@ struct MapOptions
     double membership =
         0.25;  //!< a voxel is part of an instance if that has at least this share of what
                //!< speaks for instances there, in [0,1]; 0: a single vote does
-    double prior_strength = 0;  //!< W: W/K is added to each of K known categories
+    double prior_strength = 2;  //!< W: W/K is added to each of K known categories
     EntropyMeasure entropy = EntropyMeasure::expected;  //!< the measure used by queries
 };
 

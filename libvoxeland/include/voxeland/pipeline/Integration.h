@@ -23,8 +23,11 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
                        double unknownWeight, SemanticVoxelMap& map);
 
 /** Semantic integration: beta_l of an instance grows by confidence times the opinion's probability
- * of l. \param frameNumber that of the frame, remembered as last seen */
+ * of l, raised to `sharpness` and normalized. The paper adds the confidence to the most probable
+ * category alone, which is the limit of a great sharpness: 1 keeps the tails that a network gives
+ * to every category, and they hide whether its opinions agree. \param frameNumber that of the
+ * frame, remembered as last seen */
 void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
                         const std::vector<instance_id_t>& instances, uint32_t frameNumber,
-                        SemanticVoxelMap& map);
+                        double sharpness, SemanticVoxelMap& map);
 }  // namespace voxeland

@@ -77,7 +77,7 @@ struct MergeThresholds
 {
     double iou = 0.8;         //!< dominant geometric match: intersection over union above this
     bool use_ios = true;      //!< also merge by hybrid validation, that is:
-    double ios = 0.5;         //!< least intersection over smaller, together with ...
-    double similarity = 0.5;  //!< ... least semantic similarity
+    double ios = 0.7;         //!< least intersection over smaller, together with ...
+    double similarity = 0.8;  //!< ... least semantic similarity
 };
 }  // namespace voxeland
