@@ -18,20 +18,21 @@ class Marker
 
     void operator()(const VoxelCoord& v)
     {
-        const VoxelCoord block = blockOf(v);
-        if (block != m_block || m_mask == nullptr) enter(block);
+        // Any coordinate that differs above its lowest three bits: another block.
+        const int32_t change = (v.x ^ m_last.x) | (v.y ^ m_last.y) | (v.z ^ m_last.z);
+        if ((change & ~(BLOCK_SIDE - 1)) != 0 || m_mask == nullptr) enter(v);
         m_mask->set(cellOf(v));
     }
 
  private:
-    __attribute__((noinline)) void enter(const VoxelCoord& block)
+    __attribute__((noinline)) void enter(const VoxelCoord& v)
     {
-        m_block = block;
-        m_mask = &(m_space.at(block).*MASK);
+        m_last = v;
+        m_mask = &(m_space.at(blockOf(v)).*MASK);
     }
 
     ObservedSpace& m_space;
-    VoxelCoord m_block;
+    VoxelCoord m_last;  //!< a voxel of the current block
     CellMask* m_mask = nullptr;
 };
 }  // namespace
