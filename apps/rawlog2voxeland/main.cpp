@@ -8,6 +8,7 @@
 #include "voxeland/io/ExportAll.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
+#include "voxeland/pipeline/MappingTrace.h"
 #include "voxeland/pipeline/TimingLog.h"
 #include "voxeland/plugins/PluginLoader.h"
 
@@ -24,6 +25,7 @@ const char* const DESCRIPTION =
   rawlog2voxeland -i kitchen.rawlog -o kitchen.voxeland --export-dir kitchen
   rawlog2voxeland -i robot.rawlog -o map.voxeland --poses robot.tum --set map.resolution=0.03
   rawlog2voxeland -i part2.rawlog -o whole.voxeland --resume part1.voxeland
+  rawlog2voxeland -i kitchen.rawlog -o kitchen.voxeland --trace kitchen.jsonl
   rawlog2voxeland --dump-config > my.ini
 
 Without -c the defaults hold: predictions recorded in the rawlog or in NAME.instances.rawlog beside it,
@@ -40,6 +42,10 @@ struct Arguments : apps::CommandLine
     TCLAP::SwitchArg checkConfig{"", "check-config", "Check the configuration, and end", parser()};
     TCLAP::SwitchArg dumpConfig{"", "dump-config",
                                 "Print the effective configuration as an INI, and end", parser()};
+    TCLAP::ValueArg<std::string> trace{
+        "",      "trace", "Write why each opinion, division and merge was decided as it was",
+        false,   "",      "FILE.jsonl",
+        parser()};
     TCLAP::ValueArg<std::string> timing{
         "",         "timing", "Write each frame's CPU time per stage [ms]", false, "",
         "FILE.csv", parser()};
@@ -108,6 +114,42 @@ void printSummary(const CVoxelandMap& map, const TimingLog& timing)
     timing.printSummary(std::cout);
 }
 
+/** Maps the rawlog. \return each frame's stage times */
+TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
+{
+    RawlogFrameSource source(
+        arguments.input.getValue(), map.mapper().config().input,
+        {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()});
+    apps::Progress progress("frames", 0, !arguments.quiet());
+    TimingLog timing;
+    size_t done = 0;
+    mapRawlog(source, map, [&](const StageTimes& times) {
+        timing.add(times);
+        progress.update(++done, source.progress());
+    });
+    return timing;
+}
+
+/** Maps the rawlog and saves the map, with a trace if one is asked for: both or none. */
+TimingLog mapAndSave(Arguments& arguments, CVoxelandMap& map)
+{
+    TimingLog timing;
+    const auto save = [&] { saveMap(map, arguments.output.getValue()); };
+    if (!arguments.trace.isSet()) {
+        timing = mapFrames(arguments, map);
+        save();
+        return timing;
+    }
+    writeAtomically(arguments.trace.getValue(), [&](std::ostream& out) {
+        map.setTrace(std::make_shared<MappingTrace>(out, map.mapper().config()));
+        timing = mapFrames(arguments, map);
+        map.setTrace(nullptr);
+        out.flush();  // a full disk must show before an earlier map is replaced
+        save();
+    });
+    return timing;
+}
+
 int makeMap(Arguments& arguments)
 {
     std::shared_ptr<CVoxelandMap> map = std::make_shared<CVoxelandMap>();
@@ -129,19 +171,7 @@ int makeMap(Arguments& arguments)
     map->setConfig(config);
     const AtomicFile checkedOutput(arguments.output.getValue());  // complain before the work
 
-    RawlogFrameSource source(
-        arguments.input.getValue(), config.input,
-        {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()});
-    TimingLog timing;
-    {
-        apps::Progress progress("frames", 0, !arguments.quiet());
-        size_t done = 0;
-        mapRawlog(source, *map, [&](const StageTimes& times) {
-            timing.add(times);
-            progress.update(++done, source.progress());
-        });
-    }
-    saveMap(*map, arguments.output.getValue());
+    const TimingLog timing = mapAndSave(arguments, *map);
     if (arguments.exportDir.isSet()) exportAll(map->map(), arguments.exportDir.getValue());
     if (arguments.timing.isSet())
         writeAtomically(arguments.timing.getValue(),

@@ -5,10 +5,12 @@
 #include "support/TestFiles.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 using namespace voxeland;
 using namespace voxeland::test;
@@ -315,6 +317,44 @@ TEST_F(Rawlog2voxeland, WritesTimingAndExports)
     const std::string csv = readFile(m_folder.file("t.csv"));
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
     EXPECT_FALSE(fs::is_empty(m_folder.file("pictures")));
+}
+
+TEST_F(Rawlog2voxeland, ATraceComesWithTheSameMapOrNotAtAll)
+{
+    write(smallFrames(8));
+    const std::string trace = m_folder.file("trace.jsonl");
+    EXPECT_EQ(mapMade("a.voxeland", {"--trace", trace}), mapMade("b.voxeland", {}));
+    std::istringstream lines(readFile(trace));
+    size_t opinions = 0;
+    for (std::string line; std::getline(lines, line);)
+        opinions += nlohmann::json::parse(line).contains("opinion") ? 1 : 0;
+    EXPECT_EQ(opinions, 16U);
+
+    for (const char* file : {"a.voxeland", "b.voxeland", "trace.jsonl"})
+        fs::remove(m_folder.file(file));
+    expectFailure(run({"--trace", "/dev/full"}), 5, {"/dev/full"});
+    expectFailure(run({"--trace", m_folder.file("missing/trace.jsonl")}), 5, {"missing"});
+    const std::string whole = readFile(in());
+    writeFile(in(), whole.substr(0, whole.size() * 2 / 3));
+    expectFailure(run({"--trace", trace}), 3, {"in.rawlog"});
+}
+
+TEST_F(Rawlog2voxeland, PredictionsWithoutAFrameAreCountedTheSameInOneRunAndInTwo)
+{
+    auto frames = smallFrames(12);
+    for (const size_t i : {0U, 6U, 11U}) frames[i].scan = nullptr;
+    write(frames);
+    const auto result = run();
+    EXPECT_NE(result.output.find("predictions of 3 frames that are not there"), std::string::npos)
+        << result.output;
+    const std::string whole = mapMade("whole.voxeland", {});
+    for (const int last : {3, 4, 5}) {
+        mapMade("first.voxeland", {"--to", std::to_string(last)});
+        EXPECT_EQ(mapMade("both.voxeland", {"--from", std::to_string(last + 1), "--resume",
+                                            m_folder.file("first.voxeland")}),
+                  whole)
+            << last;
+    }
 }
 
 TEST(Rawlog2voxelandHelp, SaysWhatThereIs)

@@ -88,3 +88,21 @@ TEST(MapperConfig, KeysThatChooseAPluginMayBeCapitalizedAsAllOthers)
         "my.ini"));
     EXPECT_TRUE(contains(config.association->description(), "intersection over union and"));
 }
+
+TEST(MapperConfig, AMissingPluginDoesNotHideTheOtherProblems)
+{
+    try {
+        MapperConfig(
+            Ini::fromText("[map]\nresolutoin = 0.1\n[converter]\nclass = CNoSuchClass\n"
+                          "[association]\nplugin = no_such_plugin\ntau = 1\n"
+                          "[refinement]\nevery = -1\n",
+                          "my.ini"));
+        FAIL() << "accepted";
+    } catch (const PluginError& e) {
+        const std::string message = e.what();
+        for (const char* part :
+             {"my.ini", "'resolution'", "CNoSuchClass", "no_such_plugin", "every"})
+            EXPECT_TRUE(contains(message, part)) << part << ": " << message;
+        EXPECT_FALSE(contains(message, "'tau'")) << "the plugin might know it: " << message;
+    }
+}

@@ -54,6 +54,12 @@ StageTimes CVoxelandMap::integrate(PreparedFrame frame)
     return m_mapper->integrate(std::move(frame), m_map, m_counts);
 }
 
+void CVoxelandMap::setTrace(std::shared_ptr<MappingTrace> trace)
+{
+    mapper();
+    m_mapper->setTrace(std::move(trace));
+}
+
 void CVoxelandMap::flush()
 {
     m_assembler.finish();

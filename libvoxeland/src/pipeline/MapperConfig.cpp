@@ -81,6 +81,25 @@ void declare(OptionList& list, RefinementOptions& o)
              "Nor do parts with a smaller share of the instance's voxels");
 }
 
+/** What is wrong with an INI. */
+struct Problems
+{
+    std::vector<std::string> settings, plugins;
+
+    /** Throws what there is, all in one message. */
+    void report(const std::string& origin) const
+    {
+        std::vector<std::string> all = plugins;
+        all.insert(all.end(), settings.begin(), settings.end());
+        if (all.empty()) return;
+        std::string message = "configuration of '" + origin + "': ";
+        for (const std::string& problem : all)
+            message += (&problem == &all.front() ? "" : "; ") + problem;
+        if (!plugins.empty()) throw PluginError(message);
+        throw ConfigurationError(message);
+    }
+};
+
 /** A section that names a plugin library, one of its classes, and that class's keys. */
 template <typename Base>
 struct PluginSection
@@ -90,7 +109,7 @@ struct PluginSection
     std::shared_ptr<Base> object;
 
     PluginSection(const Ini& ini, std::string name, std::string defaultLibrary,
-                  std::string defaultClass)
+                  std::string defaultClass, Problems& problems)
         : section(std::move(name)),
           library(std::move(defaultLibrary)),
           className(std::move(defaultClass))
@@ -101,11 +120,17 @@ struct PluginSection
         choice.add("plugin", library, "");
         choice.add("class", className, "");
         choice.load(ini, section, reportedLater);
-        if (!library.empty()) loadPlugin(library, pluginSearchPath(ini.folder()));
-        object = createPlugin<Base>(className);
+        try {
+            if (!library.empty()) loadPlugin(library, pluginSearchPath(ini.folder()));
+            object = createPlugin<Base>(className);
+        } catch (const PluginError& e) {
+            problems.plugins.emplace_back(e.what());
+            return;  // which other keys there are is not known
+        }
         options.add("plugin", library, "Plugin library; empty: the class is already loaded");
         options.add("class", className, object->description());
         object->declareOptions(options);
+        options.load(ini, section, problems.settings);
     }
 };
 
@@ -120,13 +145,6 @@ void checkSections(const Ini& ini, std::vector<std::string>& problems)
                            (nearest.empty() ? "" : " (did you mean [" + nearest + "]?)"));
     }
 }
-
-std::string joined(const std::vector<std::string>& sentences)
-{
-    std::string text;
-    for (const auto& s : sentences) text += (text.empty() ? "" : "; ") + s;
-    return text;
-}
 }  // namespace
 
 const std::vector<std::string>& MapperConfig::sections()
@@ -138,31 +156,28 @@ const std::vector<std::string>& MapperConfig::sections()
 
 MapperConfig::MapperConfig(const Ini& ini)
 {
-    std::vector<std::string> problems;
-    checkSections(ini, problems);
+    Problems problems;
+    checkSections(ini, problems.settings);
     OptionList inputList, mapList, refinementList;
     declare(inputList, input);
     declare(mapList, map, integration);
     declare(refinementList, refinement);
-    inputList.load(ini, "voxeland", problems);
-    mapList.load(ini, "map", problems);
-    refinementList.load(ini, "refinement", problems);
+    inputList.load(ini, "voxeland", problems.settings);
+    mapList.load(ini, "map", problems.settings);
+    refinementList.load(ini, "refinement", problems.settings);
     if (input.depth.min_depth >= input.depth.max_depth)
-        problems.push_back("[voxeland] min_depth must be less than max_depth");
+        problems.settings.push_back("[voxeland] min_depth must be less than max_depth");
     try {
         OccupancyFilter check(map.occupancy);
     } catch (const std::invalid_argument& e) {
-        problems.push_back(std::string("[map] ") + e.what());
+        problems.settings.push_back(std::string("[map] ") + e.what());
     }
 
     PluginSection<COpinionConverter> converterSection(ini, "converter", "recorded_instances",
-                                                      "CRecordedInstancesConverter");
+                                                      "CRecordedInstancesConverter", problems);
     PluginSection<CAssociationPolicy> associationSection(
-        ini, "association", "evidential_association", "CEvidentialAssociation");
-    converterSection.options.load(ini, "converter", problems);
-    associationSection.options.load(ini, "association", problems);
-    if (!problems.empty())
-        throw ConfigurationError("configuration of '" + ini.origin() + "': " + joined(problems));
+        ini, "association", "evidential_association", "CEvidentialAssociation", problems);
+    problems.report(ini.origin());
     converterSection.object->start();
     associationSection.object->start();
     converter = converterSection.object;

@@ -2,6 +2,7 @@
 #include "voxeland/pipeline/Refinement.h"
 
 #include "voxeland/grid/DensityClustering.h"
+#include "voxeland/pipeline/MappingTrace.h"
 
 #include <algorithm>
 #include <map>
@@ -60,7 +61,8 @@ double evidenceFor(const SemanticVoxelMap& map, instance_id_t id,
 }
 
 /** Gives every sizeable part but the largest to a new instance. \return how many there were */
-uint32_t divide(SemanticVoxelMap& map, instance_id_t id, const RefinementOptions& options)
+uint32_t divide(SemanticVoxelMap& map, instance_id_t id, const RefinementOptions& options,
+                MappingTrace* trace)
 {
     const std::vector<WeightedCell> won = wonVoxels(map, id, options);
     const auto parts = partsOf(won, options.dbscan_eps);
@@ -69,13 +71,14 @@ uint32_t divide(SemanticVoxelMap& map, instance_id_t id, const RefinementOptions
                  static_cast<size_t>(options.min_part_share * static_cast<double>(won.size())));
     double total = 0;
     for (const auto& part : parts) total += evidenceFor(map, id, part);
-    uint32_t divided = 0;
-    for (size_t p = 1; p < parts.size() && parts[p].size() >= sizeable; ++p, ++divided) {
+    std::vector<instance_id_t> owners = {id};
+    for (size_t p = 1; p < parts.size() && parts[p].size() >= sizeable; ++p) {
         const double part = evidenceFor(map, id, parts[p]);
-        map.split(id, parts[p], part / total);
+        owners.push_back(map.split(id, parts[p], part / total).id);
         total -= part;
     }
-    return divided;
+    if (trace != nullptr && parts.size() > 1) trace->division(parts, sizeable, owners);
+    return static_cast<uint32_t>(owners.size() - 1);
 }
 
 /** Overlaps of the given instances with all others, from one pass over the voxels they share. */
@@ -129,23 +132,34 @@ bool areConnected(const SemanticVoxelMap& map, const InstanceOverlap& overlap,
                                         {clusters.begin() + middle, clusters.end()});
     return mainOfA == mainOfB;
 }
+
+MergeDecision decide(const SemanticVoxelMap& map, const InstanceOverlap& overlap,
+                     const CAssociationPolicy& policy, const RefinementOptions& options)
+{
+    // Overlaps of an instance that took part in a merge are measured anew the next time.
+    const bool current = map.instances().count(overlap.a) != 0 &&
+                         map.instances().count(overlap.b) != 0 &&
+                         map.instance(overlap.a).voxels == overlap.voxelsA &&
+                         map.instance(overlap.b).voxels == overlap.voxelsB;
+    if (!current) return MergeDecision::outdated;
+    if (!policy.mayMerge(overlap, options.merge, map)) return MergeDecision::refused;
+    if (options.continuity && !areConnected(map, overlap, options)) return MergeDecision::apart;
+    return MergeDecision::merged;
+}
 }  // namespace
 
 void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
-            const RefinementOptions& options, uint32_t sinceFrame, MappingCounts& counts)
+            const RefinementOptions& options, uint32_t sinceFrame, MappingCounts& counts,
+            MappingTrace* trace)
 {
     if (options.split)
         for (const instance_id_t id : instancesSeenSince(map, sinceFrame))
-            counts.splits += divide(map, id, options);
+            counts.splits += divide(map, id, options, trace);
 
     for (const InstanceOverlap& overlap : overlapsOf(map, instancesSeenSince(map, sinceFrame))) {
-        // Overlaps of an instance that took part in a merge are measured anew the next time.
-        const bool current = map.instances().count(overlap.a) != 0 &&
-                             map.instances().count(overlap.b) != 0 &&
-                             map.instance(overlap.a).voxels == overlap.voxelsA &&
-                             map.instance(overlap.b).voxels == overlap.voxelsB;
-        if (!current || !policy.mayMerge(overlap, options.merge, map)) continue;
-        if (options.continuity && !areConnected(map, overlap, options)) continue;
+        const MergeDecision decision = decide(map, overlap, policy, options);
+        if (trace != nullptr) trace->pair(overlap, decision, options.continuity);
+        if (decision != MergeDecision::merged) continue;
         const bool keepA = overlap.voxelsA >= overlap.voxelsB;
         map.merge(keepA ? overlap.a : overlap.b, keepA ? overlap.b : overlap.a);
         ++counts.merges;

@@ -3,6 +3,7 @@
 
 #include "voxeland/errors.h"
 #include "voxeland/pipeline/Integration.h"
+#include "voxeland/pipeline/MappingTrace.h"
 #include "voxeland/pipeline/Refinement.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -58,6 +59,7 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
     {
         const StageTimer timer(frame.times, Stage::integration);
         const auto instances = resolveAssignments(assignments, map);
+        if (m_trace) m_trace->opinions(counts.frames, opinions, assignments, instances);
         integrateOccupancy(frame.space, map);
         integrateGeometry(frame, instances, m_config.integration.unknown_weight, map);
         integrateSemantics(opinions, instances, counts.frames, m_config.integration.sharpness, map);
@@ -68,7 +70,8 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
     const uint32_t every = m_config.refinement.every;
     if (every > 0 && counts.frames % every == 0) {
         const StageTimer timer(frame.times, Stage::refinement);
-        refine(map, *m_config.association, m_config.refinement, counts.frames - every, counts);
+        refine(map, *m_config.association, m_config.refinement, counts.frames - every, counts,
+               m_trace.get());
     }
     return frame.times;
 }

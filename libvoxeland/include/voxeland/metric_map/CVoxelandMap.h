@@ -52,6 +52,10 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** Adds a frame prepared by mapper(). \return its stage times */
     StageTimes integrate(PreparedFrame frame);
 
+    /** Lets integrate() tell why it decides as it does, until the configuration changes.
+     *  \param trace null: no more */
+    void setTrace(std::shared_ptr<MappingTrace> trace);
+
     /** Remembers frames and predictions that could not be used. */
     void addSkipped(const FrameAssembler::Counts& skipped);
 

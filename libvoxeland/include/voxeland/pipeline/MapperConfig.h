@@ -54,8 +54,8 @@ struct RefinementOptions
 class MapperConfig
 {
  public:
-    /** \throws ConfigurationError with all problems of all sections in one message, PluginError if
-     * a plugin cannot be used */
+    /** \throws ConfigurationError, or PluginError if a plugin cannot be used; either way with all
+     * problems of all sections in one message */
     explicit MapperConfig(const Ini& ini = Ini());
 
     /** Names of all sections an INI may have. */

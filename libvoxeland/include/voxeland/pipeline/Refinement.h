@@ -5,10 +5,14 @@
 
 namespace voxeland
 {
+class MappingTrace;
+
 /** Mends over- and under-segmentation (paper, "Intra-instance Geometric Division" and
  * "Multi-instance Integration"): divides instances whose voxels fell apart, then merges instances
  * that are one object. Cost: the voxels of the instances seen since `sinceFrame`, whatever the size
- * of the map. \param counts splits and merges are counted there */
+ * of the map. \param counts splits and merges are counted there \param trace is told all
+ * decisions, if there is one */
 void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
-            const RefinementOptions& options, uint32_t sinceFrame, MappingCounts& counts);
+            const RefinementOptions& options, uint32_t sinceFrame, MappingCounts& counts,
+            MappingTrace* trace = nullptr);
 }  // namespace voxeland

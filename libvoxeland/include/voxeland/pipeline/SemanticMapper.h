@@ -5,8 +5,12 @@
 #include "voxeland/pipeline/Overlaps.h"
 #include "voxeland/pipeline/PreparedFrame.h"
 
+#include <memory>
+
 namespace voxeland
 {
+class MappingTrace;
+
 /** The paper's loop: turns frames into a semantic voxel map. */
 class SemanticMapper
 {
@@ -14,6 +18,9 @@ class SemanticMapper
     explicit SemanticMapper(MapperConfig config) : m_config(std::move(config)) {}
 
     [[nodiscard]] const MapperConfig& config() const { return m_config; }
+
+    /** Lets integrate() tell why it decides as it does. \param trace null: no more */
+    void setTrace(std::shared_ptr<MappingTrace> trace) { m_trace = std::move(trace); }
 
     /** The part of the work that needs no map. Thread safe. \throws InputError for unusable frames
      */
@@ -26,5 +33,6 @@ class SemanticMapper
  private:
     MapperConfig m_config;
     OverlapFinder m_overlaps;
+    std::shared_ptr<MappingTrace> m_trace;
 };
 }  // namespace voxeland
