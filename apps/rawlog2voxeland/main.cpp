@@ -100,17 +100,9 @@ Ini configuration(Arguments& arguments, const CVoxelandMap* resumed)
 
 void printSummary(const CVoxelandMap& map, const TimingLog& timing)
 {
-    const MappingCounts& n = map.counts();
-    std::cout << asText(overviewOf(map.map(), n));
-    std::cout << "frames: " << n.frames << " mapped";
-    if (n.framesWithoutPredictions > 0)
-        std::cout << " (" << n.framesWithoutPredictions << " without predictions)";
-    if (n.framesWithoutPose > 0)
-        std::cout << ", " << n.framesWithoutPose << " skipped without a pose";
-    std::cout << "; opinions: " << n.opinions << "\n";
-    if (n.predictionsWithoutFrame > 0)
-        std::cout << "predictions of " << n.predictionsWithoutFrame
-                  << " frames that are not there\n";
+    std::cout << asText(overviewOf(map.map(), map.counts()));
+    if (const uint32_t n = map.counts().predictionsWithoutFrame; n > 0)
+        std::cout << "left out       predictions of " << n << " frames that are not there\n";
     timing.printSummary(std::cout);
 }
 

@@ -123,7 +123,7 @@ TEST_F(Rawlog2voxeland, ARawlogWithoutPredictionsStillMaps)
     fs::remove(m_folder.file("in.instances.rawlog"));
     const auto result = run();
     EXPECT_EQ(result.exitCode, 0) << result.errors;
-    EXPECT_NE(result.output.find("4 without predictions"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find("4 of them without predictions"), std::string::npos) << result.output;
 }
 
 TEST_F(Rawlog2voxeland, FramesWithoutAPoseAreSkippedAndCounted)
@@ -135,7 +135,7 @@ TEST_F(Rawlog2voxeland, FramesWithoutAPoseAreSkippedAndCounted)
     const auto result = run();
     EXPECT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_NE(result.output.find("4 mapped"), std::string::npos) << result.output;
-    EXPECT_NE(result.output.find("2 skipped without a pose"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find("2 left out without pose"), std::string::npos) << result.output;
 }
 
 TEST_F(Rawlog2voxeland, PixelsWithoutDepthAreNoObstacle)
