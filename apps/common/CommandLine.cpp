@@ -93,7 +93,10 @@ VerbosityLevel CommandLine::verbosity() const
 int runProgram(const char* program, const std::function<int()>& body)
 {
     try {
-        return body();
+        const int exitCode = body();
+        if (!std::cout.flush())
+            throw OutputError("cannot write to standard output: free some space");
+        return exitCode;
     } catch (const ConfigurationError& e) {
         return fail(program, e, 1);
     } catch (const PluginError& e) {

@@ -23,7 +23,7 @@ class CommandLine
     [[nodiscard]] bool parse(int argc, char** argv);
     /** Least severe message to show. */
     [[nodiscard]] mrpt::system::VerbosityLevel verbosity() const;
-    [[nodiscard]] bool quiet() const { return m_quiet.isSet(); }
+    [[nodiscard]] bool quiet() const { return verbosity() > mrpt::system::LVL_INFO; }
 
  private:
     TCLAP::CmdLine m_parser;

@@ -123,7 +123,8 @@ TEST_F(Rawlog2voxeland, ARawlogWithoutPredictionsStillMaps)
     fs::remove(m_folder.file("in.instances.rawlog"));
     const auto result = run();
     EXPECT_EQ(result.exitCode, 0) << result.errors;
-    EXPECT_NE(result.output.find("4 of them without predictions"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find("4 of them without predictions"), std::string::npos)
+        << result.output;
 }
 
 TEST_F(Rawlog2voxeland, FramesWithoutAPoseAreSkippedAndCounted)

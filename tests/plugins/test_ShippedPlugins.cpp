@@ -232,5 +232,4 @@ TEST(RecordedInstancesConverter, MakesAnOpinionOfEachUsablePrediction)
 
     frame.instances = nullptr;
     EXPECT_TRUE(converter->convert(frame, VoxelizedFrame(frame, 0.05, {})).empty());
-    EXPECT_FALSE(converter->needsColour());
 }

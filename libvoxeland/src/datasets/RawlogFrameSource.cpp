@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/RawlogFrameSource.h"
 
+#include "voxeland/errors.h"
+#include "voxeland/io/GzInputFile.h"
+#include "voxeland/io/RawlogFiles.h"
+
 #include <mrpt/img/CImage.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CActionCollection.h>
@@ -16,10 +20,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "voxeland/errors.h"
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/io/RawlogFiles.h"
-
 using namespace mrpt::obs;
 namespace fs = std::filesystem;
 
@@ -28,7 +28,8 @@ namespace voxeland
 namespace
 {
 constexpr const char* TUM = "tum:";
-constexpr std::array<const char*, 4> POSE_SOURCES = {"robot_pose", "odometry", "actions", "simplemap"};
+constexpr std::array<const char*, 4> POSE_SOURCES = {"robot_pose", "odometry", "actions",
+                                                     "simplemap"};
 
 PoseTrack initialPoses(const InputOptions& options)
 {
@@ -36,8 +37,9 @@ PoseTrack initialPoses(const InputOptions& options)
     if (source.rfind(TUM, 0) == 0)
         return PoseTrack::fromTumFile(source.substr(std::string(TUM).size()), options.max_pose_gap);
     if (std::find(POSE_SOURCES.begin(), POSE_SOURCES.end(), source) == POSE_SOURCES.end())
-        throw ConfigurationError("[voxeland] pose_source = '" + source +
-                                 "' is not one of robot_pose, odometry, actions, simplemap, tum:<file>");
+        throw ConfigurationError(
+            "[voxeland] pose_source = '" + source +
+            "' is not one of robot_pose, odometry, actions, simplemap, tum:<file>");
     return PoseTrack(options.max_pose_gap);
 }
 
@@ -62,10 +64,12 @@ RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions
 {
     if (fs::path(file).extension() != ".rawlog") return;  // a simplemap holds everything
     const RawlogFiles files(file);
-    if (fs::exists(files.sidecar)) m_sidecar = std::make_unique<GzInputFile>(files.sidecar.string());
+    if (fs::exists(files.sidecar))
+        m_sidecar = std::make_unique<GzInputFile>(files.sidecar.string());
     // MRPT keeps this path for the whole process.
-    if (fs::is_directory(files.images))
-        mrpt::img::CImage::setImagesPathBase(fs::absolute(files.images).string());
+    const fs::path images =
+        fs::is_directory(files.images) ? files.images : fs::path(file).parent_path();
+    mrpt::img::CImage::setImagesPathBase(fs::absolute(images).string());
 }
 
 RawlogFrameSource::~RawlogFrameSource() = default;
@@ -90,7 +94,10 @@ FrameAssembler::Counts RawlogFrameSource::skipped() const
     return counts;
 }
 
-double RawlogFrameSource::progress() const { return m_input->progress(); }
+double RawlogFrameSource::progress() const
+{
+    return m_input->progress();
+}
 
 bool RawlogFrameSource::readOn()
 {
@@ -130,15 +137,18 @@ void RawlogFrameSource::takeObservation(const CObservation::Ptr& observation)
     const std::string& source = m_options.pose_source;
     if (const auto pose = std::dynamic_pointer_cast<CObservationRobotPose>(observation)) {
         if (source == "robot_pose")
-            m_assembler.addPose(pose->timestamp,
-                                (pose->pose.mean + (mrpt::poses::CPose3D() - pose->sensorPose)).asTPose());
+            m_assembler.addPose(
+                pose->timestamp,
+                (pose->pose.mean + (mrpt::poses::CPose3D() - pose->sensorPose)).asTPose());
     } else if (const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation)) {
         if (source == "odometry")
             m_assembler.addPose(odometry->timestamp,
                                 mrpt::poses::CPose3D(odometry->odometry).asTPose());
-    } else if (const auto predictions = std::dynamic_pointer_cast<CObservationInstances>(observation)) {
+    } else if (const auto predictions =
+                   std::dynamic_pointer_cast<CObservationInstances>(observation)) {
         const std::string& label = m_options.instances_sensor_label;
-        if (label.empty() || label == predictions->sensorLabel) m_assembler.addInstances(predictions);
+        if (label.empty() || label == predictions->sensorLabel)
+            m_assembler.addInstances(predictions);
     } else if (std::dynamic_pointer_cast<CObservation3DRangeScan>(observation)) {
         takeScan(observation);
     }

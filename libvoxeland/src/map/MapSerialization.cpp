@@ -5,6 +5,7 @@
 #include <mrpt/serialization/stl_serialization.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 using mrpt::serialization::CArchive;
@@ -24,6 +25,9 @@ VoxelCoord readCoord(CArchive& in)
 {
     VoxelCoord c;
     in >> c.x >> c.y >> c.z;
+    const auto fits = [](int32_t i) { return std::abs(i) <= MAX_VOXEL_COORD / BLOCK_SIDE; };
+    if (!fits(c.x) || !fits(c.y) || !fits(c.z))
+        throw std::runtime_error("corrupt map: a block too far away");
     return c;
 }
 
@@ -108,6 +112,9 @@ void SemanticVoxelMap::readFrom(CArchive& in)
     SemanticVoxelMap read(readOptions(in));
     std::vector<std::string> names;
     in >> names >> read.m_nextInstance >> read.m_absorbed;
+    for (const auto& [absorbed, survivor] : read.m_absorbed)
+        if (absorbed == survivor || absorbed >= read.m_nextInstance)
+            throw std::runtime_error("corrupt map: an impossible merge");
     for (const auto& name : names) read.m_categories.add(name);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         Instance i = readInstance(in, read.m_categories);
@@ -134,6 +141,10 @@ void SemanticVoxelMap::readFrom(CArchive& in)
             }
         }
     }
+    for (const auto& [id, instance] : read.m_instances)
+        for (const VoxelCoord& b : instance.blocks)
+            if (read.m_blocks.find(b) == nullptr)
+                throw std::runtime_error("corrupt map: an instance in a block it lacks");
     *this = std::move(read);
 }
 }  // namespace voxeland

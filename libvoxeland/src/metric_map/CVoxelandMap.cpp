@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/metric_map/CVoxelandMap.h"
 
+#include "voxeland/errors.h"
+#include "voxeland/io/AtomicFile.h"
+#include "voxeland/io/Colors.h"
+#include "voxeland/metric_map/MapFile.h"
+
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
@@ -9,10 +14,6 @@
 
 #include <limits>
 #include <sstream>
-
-#include "voxeland/errors.h"
-#include "voxeland/io/Colors.h"
-#include "voxeland/metric_map/MapFile.h"
 
 using mrpt::obs::CObservation;
 using mrpt::obs::CObservation3DRangeScan;
@@ -27,7 +28,10 @@ CVoxelandMap::CVoxelandMap()
 {
 }
 
-CVoxelandMap::CVoxelandMap(const MapperConfig& config) : CVoxelandMap() { setConfig(config); }
+CVoxelandMap::CVoxelandMap(const MapperConfig& config) : CVoxelandMap()
+{
+    setConfig(config);
+}
 
 void CVoxelandMap::setConfig(const MapperConfig& config)
 {
@@ -151,6 +155,7 @@ void CVoxelandMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const
 void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) const
 {
     CVoxelandMap complete(*this);
+    complete.setTrace(nullptr);
     complete.flush();
     saveMap(complete, prefix + ".voxeland");
     if (!genericMapParams.enableSaveAs3DObject) return;
@@ -158,8 +163,9 @@ void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) 
     const auto objects = mrpt::opengl::CSetOfObjects::Create();
     complete.getVisualizationInto(*objects);
     scene.insert(objects);
-    if (!scene.saveToFile(prefix + ".3Dscene"))
-        throw OutputError("cannot write '" + prefix + ".3Dscene': check the folder and the free space");
+    AtomicFile file(prefix + ".3Dscene");
+    if (!scene.saveToFile(file.part())) file.fail(errno);
+    file.commit();
 }
 
 const mrpt::maps::CSimplePointsMap* CVoxelandMap::getAsSimplePointsMap() const

@@ -12,13 +12,15 @@ void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
 {
     if (mapped) return;
     if (source.framesMet() == 0)
-        throw NothingToMapError("the rawlog holds no CObservation3DRangeScan of the sensor to map: check "
-                                "depth_sensor_label");
+        throw NothingToMapError(
+            "the rawlog holds no CObservation3DRangeScan of the sensor to map: check "
+            "depth_sensor_label");
     if (source.skipped().framesWithoutPose == 0)
         throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
                                 " frames is in the range asked for");
-    throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
-                            " frames has a pose: check pose_source, or give a trajectory with --poses");
+    throw NothingToMapError(
+        "none of the rawlog's " + std::to_string(source.framesMet()) +
+        " frames has a pose: check pose_source, or give a trajectory with --poses");
 }
 }  // namespace
 
@@ -28,7 +30,8 @@ void mapRawlog(RawlogFrameSource& source, CVoxelandMap& map,
     bool mapped = false;
     {
         const SemanticMapper& mapper = map.mapper();
-        FramePreparer preparer(mapper, [&] { return source.next(); }, mapper.config().input.threads);
+        FramePreparer preparer(
+            mapper, [&] { return source.next(); }, mapper.config().input.threads);
         while (auto frame = preparer.next()) {
             onFrame(map.integrate(std::move(*frame)));
             mapped = true;

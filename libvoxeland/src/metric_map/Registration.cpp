@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How MRPT's programs create a CVoxelandMap from their INI, and how it is serialized. */
+#include "voxeland/metric_map/CVoxelandMap.h"
+
 #include <mrpt/serialization/CArchive.h>
 
 #include <ostream>
-
-#include "voxeland/metric_map/CVoxelandMap.h"
 
 namespace voxeland
 {
@@ -39,7 +39,10 @@ VOXELAND_MAP_FACTORY_RESULT CVoxelandMap::internal_CreateFromMapDefinition(
 #endif
 }
 
-uint8_t CVoxelandMap::serializeGetVersion() const { return 0; }
+uint8_t CVoxelandMap::serializeGetVersion() const
+{
+    return 0;
+}
 
 void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
 {

@@ -171,8 +171,7 @@ std::vector<int32_t> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
                 static_cast<float>(origin.z * edges - base.z)};
     u.unit = scan.rangeUnits;
     // Zero means not measured, even where there is no lower limit.
-    u.nearest =
-        std::max(static_cast<float>(limits.min_depth), std::numeric_limits<float>::min());
+    u.nearest = std::max(static_cast<float>(limits.min_depth), std::numeric_limits<float>::min());
     u.farthest = static_cast<float>(limits.max_depth);
 
     std::vector<int32_t> hitOfPixel(rows * columns);

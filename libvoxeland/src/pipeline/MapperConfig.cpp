@@ -137,6 +137,8 @@ struct PluginSection
 void checkSections(const Ini& ini, std::vector<std::string>& problems)
 {
     const auto& known = MapperConfig::sections();
+    for (const std::string& key : ini.keys(""))
+        problems.push_back("key '" + key + "' stands before any [section]");
     for (const std::string& section : ini.sections()) {
         if (section.empty() || std::find(known.begin(), known.end(), section) != known.end())
             continue;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace voxeland
 {
@@ -133,15 +134,13 @@ bool areConnected(const SemanticVoxelMap& map, const InstanceOverlap& overlap,
     return mainOfA == mainOfB;
 }
 
+/** \param merged instances that took part in a merge: their overlaps are measured anew the next
+ * time */
 MergeDecision decide(const SemanticVoxelMap& map, const InstanceOverlap& overlap,
-                     const CAssociationPolicy& policy, const RefinementOptions& options)
+                     const std::set<instance_id_t>& merged, const CAssociationPolicy& policy,
+                     const RefinementOptions& options)
 {
-    // Overlaps of an instance that took part in a merge are measured anew the next time.
-    const bool current = map.instances().count(overlap.a) != 0 &&
-                         map.instances().count(overlap.b) != 0 &&
-                         map.instance(overlap.a).voxels == overlap.voxelsA &&
-                         map.instance(overlap.b).voxels == overlap.voxelsB;
-    if (!current) return MergeDecision::outdated;
+    if (merged.count(overlap.a) + merged.count(overlap.b) != 0) return MergeDecision::outdated;
     if (!policy.mayMerge(overlap, options.merge, map)) return MergeDecision::refused;
     if (options.continuity && !areConnected(map, overlap, options)) return MergeDecision::apart;
     return MergeDecision::merged;
@@ -156,12 +155,14 @@ void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
         for (const instance_id_t id : instancesSeenSince(map, sinceFrame))
             counts.splits += divide(map, id, options, trace);
 
+    std::set<instance_id_t> merged;
     for (const InstanceOverlap& overlap : overlapsOf(map, instancesSeenSince(map, sinceFrame))) {
-        const MergeDecision decision = decide(map, overlap, policy, options);
+        const MergeDecision decision = decide(map, overlap, merged, policy, options);
         if (trace != nullptr) trace->pair(overlap, decision, options.continuity);
         if (decision != MergeDecision::merged) continue;
         const bool keepA = overlap.voxelsA >= overlap.voxelsB;
         map.merge(keepA ? overlap.a : overlap.b, keepA ? overlap.b : overlap.a);
+        merged.insert({overlap.a, overlap.b});
         ++counts.merges;
     }
 }

@@ -23,6 +23,32 @@ void decode(const RgbdFrame& frame, StageTimes& times)
                          "' cannot be read: restore the rawlog's folder of images");
     }
 }
+/** Plugins are other people's code: what they return must not spoil a map. */
+void checkOpinions(const std::vector<Opinion>& opinions, const VoxelizedFrame& voxels,
+                   const COpinionConverter& converter)
+{
+    for (const Opinion& o : opinions) {
+        bool valid = o.confidence > 0 && o.confidence <= 1 && !o.voxels.empty();
+        for (const OpinionVoxel& v : o.voxels)
+            valid = valid && v.hit < voxels.hits().size() && v.points > 0;
+        if (!valid)
+            throw PluginError(
+                std::string(converter.GetRuntimeClass()->className) +
+                " made an opinion without voxels, points or confidence: correct the plugin");
+    }
+}
+
+void checkAssignments(const std::vector<Assignment>& assignments, size_t opinions,
+                      const SemanticVoxelMap& map, const CAssociationPolicy& policy)
+{
+    bool valid = assignments.size() == opinions;
+    for (const Assignment& a : assignments)
+        valid = valid && (a.instance == UNKNOWN_INSTANCE || map.instances().count(a.instance) != 0);
+    if (!valid)
+        throw PluginError(
+            std::string(policy.GetRuntimeClass()->className) +
+            " did not assign every opinion to an instance that exists: correct the plugin");
+}
 }  // namespace
 
 PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
@@ -38,6 +64,7 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
         const StageTimer timer(times, Stage::opinions);
         return m_config.converter->convert(frame, voxels);
     }();
+    checkOpinions(opinions, voxels, *m_config.converter);
     auto space = [&] {
         const StageTimer timer(times, Stage::rays);
         return castRays(voxels, m_config.integration.visibility_margin);
@@ -55,6 +82,7 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
         const StageTimer timer(frame.times, Stage::association);
         opinions = m_overlaps.find(frame, map);
         assignments = m_config.association->associate(opinions, map);
+        checkAssignments(assignments, opinions.size(), map, *m_config.association);
     }
     {
         const StageTimer timer(frame.times, Stage::integration);

@@ -55,7 +55,10 @@ void Ini::setFromPrefixedSections(const mrpt::config::CConfigFileBase& source,
     }
 }
 
-std::string Ini::text() const { return m_content.getContent(); }
+std::string Ini::text() const
+{
+    return m_content.getContent();
+}
 
 void Ini::set(const std::string& assignment)
 {

@@ -106,8 +106,7 @@ void OptionList::addNumber(const std::string& key, Number& variable, const Range
         [&variable, range](const std::string& text) -> std::string {
             double value = 0;
             std::istringstream in(text);
-            if (!(in >> value) || !(in >> std::ws).eof())
-                return "is not a number";
+            if (!(in >> value) || !(in >> std::ws).eof()) return "is not a number";
             if (std::numeric_limits<Number>::is_integer && value != std::floor(value))
                 return "is not a whole number";
             if (!(value >= range.least && value <= range.most))

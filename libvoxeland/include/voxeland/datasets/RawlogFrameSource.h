@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/observations/FrameAssembler.h"
+#include "voxeland/pipeline/MapperConfig.h"
+
 #include <deque>
 #include <memory>
 #include <optional>
 #include <string>
-
-#include "voxeland/observations/FrameAssembler.h"
-#include "voxeland/pipeline/MapperConfig.h"
 
 namespace mrpt::obs
 {
@@ -24,19 +24,22 @@ class GzInputFile;
 /** Which RGB-D frames of a rawlog to use, numbered from 0 as they are in it. */
 struct FrameRange
 {
-    uint32_t from = 0;             //!< first frame
-    uint32_t to = UINT32_MAX;      //!< last frame, included
-    uint32_t every = 1;            //!< of those, one in so many; >= 1
+    uint32_t from = 0;         //!< first frame
+    uint32_t to = UINT32_MAX;  //!< last frame, included
+    uint32_t every = 1;        //!< of those, one in so many; >= 1
 };
 
-/** Reads frames with poses and predictions from a rawlog (observations or sensory frames with actions) or a
- *  .simplemap, as a stream: memory does not grow with the file. Predictions in the sidecar
+/** Reads frames with poses and predictions from a rawlog (observations or sensory frames with
+ * actions) or a .simplemap, as a stream: memory does not grow with the file. Predictions in the
+ * sidecar
  *  `<name>.instances.rawlog` and images in `<name>_Images` are found beside it. */
 class RawlogFrameSource
 {
-   public:
-    /** \throws InputError if a file cannot be read, ConfigurationError for an unknown pose source */
-    RawlogFrameSource(const std::string& file, const InputOptions& options, const FrameRange& range);
+ public:
+    /** \throws InputError if a file cannot be read, ConfigurationError for an unknown pose source
+     */
+    RawlogFrameSource(const std::string& file, const InputOptions& options,
+                      const FrameRange& range);
     ~RawlogFrameSource();
 
     /** The next frame, or none at the end.
@@ -50,7 +53,7 @@ class RawlogFrameSource
     /** What of the range could not be used. */
     [[nodiscard]] FrameAssembler::Counts skipped() const;
 
-   private:
+ private:
     /** Gives what the next object of the file holds to the assembler; false at the end. */
     bool readOn();
     void take(const std::shared_ptr<mrpt::serialization::CSerializable>& object);
@@ -58,9 +61,9 @@ class RawlogFrameSource
     void takeScan(const std::shared_ptr<mrpt::obs::CObservation>& observation);
     /** Whether a frame of this number is not left out on purpose. */
     [[nodiscard]] bool isWanted(uint32_t number) const;
-    /** Reads the sidecar up to the time of a frame and gives that frame's predictions, if it is wanted, to
-     *  the assembler. Predictions between two frames belong to none; which part of a run cut in several
-     *  counts them is decided by the later frame. */
+    /** Reads the sidecar up to the time of a frame and gives that frame's predictions, if it is
+     * wanted, to the assembler. Predictions between two frames belong to none; which part of a run
+     * cut in several counts them is decided by the later frame. */
     void readSidecar(const mrpt::Clock::time_point& until, uint32_t frameNumber);
 
     std::string m_file;
@@ -71,7 +74,8 @@ class RawlogFrameSource
     FrameAssembler m_assembler;
     mrpt::poses::CPose3D m_actionsPose;  //!< where the actions so far have led
     uint32_t m_framesMet = 0;
-    uint32_t m_sidecarWithoutFrame = 0;  //!< predictions of the sidecar that no scan has the timestamp of
+    uint32_t m_sidecarWithoutFrame =
+        0;  //!< predictions of the sidecar that no scan has the timestamp of
     bool m_beyondRange = false, m_finished = false;
 };
 }  // namespace voxeland

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <functional>
-
 #include "voxeland/datasets/RawlogFrameSource.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
+
+#include <functional>
 
 namespace voxeland
 {
 /** Maps all frames of a rawlog, which are read and prepared ahead in several threads.
  *  \param onFrame called after each frame with its stage times
- *  \throws InputError as RawlogFrameSource and SemanticMapper do; NothingToMapError if there is no frame
- *  with a pose. The map then holds the frames before. */
+ *  \throws InputError as RawlogFrameSource and SemanticMapper do; NothingToMapError if there is no
+ * frame with a pose. The map then holds the frames before. */
 void mapRawlog(RawlogFrameSource& source, CVoxelandMap& map,
                const std::function<void(const StageTimes&)>& onFrame);
 }  // namespace voxeland

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/observations/PoseTrack.h"
+#include "voxeland/observations/RgbdFrame.h"
+
 #include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
-
-#include "voxeland/observations/PoseTrack.h"
-#include "voxeland/observations/RgbdFrame.h"
 
 namespace mrpt::serialization
 {
@@ -17,11 +17,12 @@ class CArchive;
 
 namespace voxeland
 {
-/** Puts frames together from depth scans, predictions of the same timestamp and poses, which may come in any
- *  order. Memory is bounded: a frame waits for its missing parts while at most `patience` newer ones come. */
+/** Puts frames together from depth scans, predictions of the same timestamp and poses, which may
+ * come in any order. Memory is bounded: a frame waits for its missing parts while at most
+ * `patience` newer ones come. */
 class FrameAssembler
 {
-   public:
+ public:
     /** What could not be used. */
     struct Counts
     {
@@ -66,7 +67,7 @@ class FrameAssembler
     void writeTo(mrpt::serialization::CArchive& out) const;
     void readFrom(mrpt::serialization::CArchive& in);
 
-   private:
+ private:
     void forgetOldPredictions();
 
     uint32_t m_patience;

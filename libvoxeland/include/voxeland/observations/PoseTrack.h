@@ -12,11 +12,12 @@ namespace voxeland
 /** Robot poses over time, in the frame of reference of the map. */
 class PoseTrack
 {
-   public:
+ public:
     /** \param maxGap longest time between two poses to interpolate over [s] */
     explicit PoseTrack(double maxGap) : m_maxGap(maxGap) {}
 
-    /** Reads a trajectory in the TUM format: lines `timestamp tx ty tz qx qy qz qw`, seconds and metres,
+    /** Reads a trajectory in the TUM format: lines `timestamp tx ty tz qx qy qz qw`, seconds and
+     * metres,
      *  '#' starting comments.
      *  \throws InputError, naming file and line, if it is missing, malformed or holds no pose */
     static PoseTrack fromTumFile(const std::string& file, double maxGap);
@@ -24,13 +25,13 @@ class PoseTrack
     /** \param maxGap longest time between two poses to interpolate over [s] */
     void setMaxGap(double maxGap) { m_maxGap = maxGap; }
     void add(const mrpt::Clock::time_point& time, const mrpt::math::TPose3D& pose);
-    /** Pose at a time: the one recorded within a millisecond of it, or interpolated (position linearly,
-     *  rotation along the shortest arc) between two that are at most maxGap apart. */
+    /** Pose at a time: the one recorded within a millisecond of it, or interpolated (position
+     * linearly, rotation along the shortest arc) between two that are at most maxGap apart. */
     [[nodiscard]] std::optional<mrpt::math::TPose3D> at(const mrpt::Clock::time_point& time) const;
     /** Forgets poses that at() does not need for times from `time` on. */
     void forgetBefore(const mrpt::Clock::time_point& time);
 
-   private:
+ private:
     double m_maxGap;
     std::map<mrpt::Clock::time_point, mrpt::math::TPose3D> m_poses;
 };

@@ -28,7 +28,8 @@ struct InputOptions
 struct IntegrationOptions
 {
     double unknown_weight = 0.2;  //!< evidence for *unknown* of a pixel that no opinion claims
-    double sharpness = 2;  //!< exponent of category probabilities before they count as evidence, >= 1
+    double sharpness =
+        2;  //!< exponent of category probabilities before they count as evidence, >= 1
     /** A voxel this far behind a measured surface counts as seen [m]. */
     double visibility_margin = 0.1;
 };

@@ -24,9 +24,6 @@ class COpinionConverter : public Plugin
      *  \throws InputError, naming the frame, if what it holds cannot be used */
     [[nodiscard]] virtual std::vector<Opinion> convert(const RgbdFrame& frame,
                                                        const VoxelizedFrame& voxels) const = 0;
-
-    /** Whether convert() looks at the images' pixels; otherwise they are never decoded. */
-    [[nodiscard]] virtual bool needsColour() const { return false; }
 };
 }  // namespace abi_1
 }  // namespace voxeland

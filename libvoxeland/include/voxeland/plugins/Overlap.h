@@ -8,8 +8,8 @@
 
 namespace voxeland
 {
-/** Overlap of an opinion with one map instance, in numbers of distinct voxels. An instance's voxels
- * are all those with evidence for it. */
+/** Overlap of an opinion with one map instance, in numbers of distinct voxels. Which voxels are
+ * part of an instance is said by MapOptions::membership. */
 struct Overlap
 {
     instance_id_t instance = UNKNOWN_INSTANCE;
