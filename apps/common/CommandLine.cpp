@@ -6,8 +6,10 @@
 #include <mrpt/core/exceptions.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <new>
+#include <set>
 
 using mrpt::system::VerbosityLevel;
 
@@ -88,6 +90,23 @@ VerbosityLevel CommandLine::verbosity() const
           std::pair(mrpt::system::LVL_WARN, "WARN"), std::pair(mrpt::system::LVL_ERROR, "ERROR")})
         if (name == text) return level;
     throw ConfigurationError("verbosity '" + name + "' is not one of " + LEVELS);
+}
+
+void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs)
+{
+    namespace fs = std::filesystem;
+    const auto place = [](const std::string& file) {
+        return fs::weakly_canonical(fs::absolute(file));
+    };
+    std::set<fs::path> taken;
+    for (const std::string& input : inputs)
+        if (!input.empty()) taken.insert(place(input));
+    for (const std::string& output : outputs)
+        if (!output.empty() && !fs::is_character_file(output) &&
+            !taken.insert(place(output)).second)
+            throw ConfigurationError(
+                "output '" + output +
+                "' would replace an input or another output: name another file");
 }
 
 int runProgram(const char* program, const std::function<int()>& body)

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace voxeland::apps
 {
@@ -30,6 +31,10 @@ class CommandLine
     TCLAP::ValueArg<std::string> m_verbosity;
     TCLAP::SwitchArg m_quiet;
 };
+
+/** Makes sure that no output would replace an input or another output. Empty names and files that
+ * do not exist are passed over. \throws ConfigurationError naming the file */
+void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 /** Runs a program's body; an exception becomes one sentence on stderr and its exit code (see
  *  voxeland/errors.h; 3 for anything else that MRPT or a library threw while reading).

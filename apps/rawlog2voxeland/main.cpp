@@ -6,12 +6,14 @@
 #include "voxeland/io/AnswersAsText.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/ExportAll.h"
+#include "voxeland/io/RawlogFiles.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
 #include "voxeland/pipeline/MappingTrace.h"
 #include "voxeland/pipeline/TimingLog.h"
 #include "voxeland/plugins/PluginLoader.h"
 
+#include <filesystem>
 #include <iostream>
 #include <limits>
 
@@ -160,10 +162,19 @@ int makeMap(Arguments& arguments)
         throw ConfigurationError("give a rawlog with -i and a map to write with -o (see --help)");
     if (arguments.every.getValue() == 0 || arguments.from.getValue() > arguments.to.getValue())
         throw ConfigurationError("--every must be at least 1 and --from not beyond --to");
+    const std::string& input = arguments.input.getValue();
+    const bool isRawlog = std::filesystem::path(input).extension() == ".rawlog";
+    apps::checkOutputs(
+        {arguments.output.getValue(), arguments.timing.getValue(), arguments.trace.getValue()},
+        {input, isRawlog ? RawlogFiles(input).sidecar.string() : "", arguments.poses.getValue(),
+         arguments.config.getValue()});
     map->setConfig(config);
     const AtomicFile checkedOutput(arguments.output.getValue());  // complain before the work
 
     const TimingLog timing = mapAndSave(arguments, *map);
+    if (map->counts().framesWithoutPredictions == map->counts().frames)
+        std::cerr << "rawlog2voxeland: warning: no frame has predictions, everything is unknown; "
+                     "they belong in the rawlog or in NAME.instances.rawlog beside it\n";
     if (arguments.exportDir.isSet()) exportAll(map->map(), arguments.exportDir.getValue());
     if (arguments.timing.isSet())
         writeAtomically(arguments.timing.getValue(),

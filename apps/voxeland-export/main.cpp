@@ -55,6 +55,7 @@ int run(int argc, char** argv)
     if (!ply.isSet() && !json.isSet() && !csv.isSet() && !pngDir.isSet())
         throw ConfigurationError(
             "nothing to write: name at least one of --ply, --json, --csv and --png-dir");
+    apps::checkOutputs({ply.getValue(), json.getValue(), csv.getValue()}, {mapFile.getValue()});
     ViewOptions views;
     if (up.isSet()) views.up = apps::parsePoint("up", up.getValue());
 

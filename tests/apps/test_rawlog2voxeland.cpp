@@ -401,3 +401,36 @@ TEST(Rawlog2voxelandRealData, KitchenFramesMapTheSameWithAnyThreadsAndWhenResume
     EXPECT_EQ(info.exitCode, 0) << info.errors;
     EXPECT_NE(info.output.find("chair"), std::string::npos) << info.output;
 }
+
+TEST_F(Rawlog2voxeland, AnOutputNeverReplacesAnInput)
+{
+    write(smallFrames(2));
+    const std::string rawlog = readFile(in());
+    const auto result = runProgram("rawlog2voxeland", {"-i", in(), "-o", in()});
+    expectFailure(result, 1, {"in.rawlog", "another file"});
+    expectFailure(run({"--timing", m_folder.file("in.instances.rawlog")}), 1,
+                  {"in.instances.rawlog"});
+    expectFailure(run({"--timing", out()}), 1, {"out.voxeland"});
+    EXPECT_EQ(readFile(in()), rawlog);
+}
+
+TEST_F(Rawlog2voxeland, LinesThatAreNoIniAreNamed)
+{
+    write(smallFrames(2));
+    const std::string ini = m_folder.file("given.ini");
+    writeFile(ini, "# fine\n[map]\nresolution 0.1\n");
+    expectFailure(run({"-c", ini}), 1, {"line 3", "given.ini"});
+    writeFile(ini, "resolution = 0.1\n");
+    expectFailure(run({"-c", ini}), 1, {"'resolution'", "before any [section]"});
+    writeFile(ini, "[map] // a comment\nentropy = \\\n  mean\n");
+    EXPECT_EQ(run({"-c", ini, "--check-config"}).exitCode, 0);
+}
+
+TEST_F(Rawlog2voxeland, WarnsWhenNothingHasPredictions)
+{
+    auto frames = smallFrames(2);
+    for (auto& f : frames) f.instances = nullptr;
+    write(frames);
+    fs::remove(m_folder.file("in.instances.rawlog"));
+    EXPECT_NE(run().errors.find("no frame has predictions"), std::string::npos);
+}

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace voxeland
 {
@@ -14,6 +15,27 @@ namespace
 std::string firstLine(const std::string& text)
 {
     return text.substr(0, text.find('\n'));
+}
+
+/** MRPT's parser passes over what it does not understand; this does not. */
+void checkLines(const std::string& text, const std::string& origin)
+{
+    std::istringstream in(text);
+    bool continued = false;
+    size_t number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        const size_t first = line.find_first_not_of(" \t\r");
+        const size_t last = line.find_last_not_of(" \t\r");
+        const bool follows =
+            std::exchange(continued, first != std::string::npos && line[last] == '\\');
+        if (first == std::string::npos || follows) continue;
+        const bool special = std::string("#;[@").find(line[first]) != std::string::npos;
+        if (special || line.compare(first, 2, "//") == 0) continue;
+        if (line.find('=') == std::string::npos)
+            throw ConfigurationError("line " + std::to_string(number) + " of '" + origin +
+                                     "' is neither '[section]' nor 'key = value'");
+    }
 }
 }  // namespace
 
@@ -32,6 +54,7 @@ Ini Ini::fromFile(const std::string& file)
 
 Ini Ini::fromText(const std::string& text, const std::string& origin)
 {
+    checkLines(text, origin);
     Ini ini;
     ini.m_origin = origin;
     try {
