@@ -3,6 +3,8 @@
 
 #include "voxeland/grid/RayTraversal.h"
 
+#include <array>
+
 using mrpt::math::TPoint3D;
 
 namespace voxeland
@@ -27,13 +29,25 @@ class Marker
  private:
     __attribute__((noinline)) void enter(const VoxelCoord& v)
     {
+        // Neighbouring rays go through the same blocks: remember where the last ones were.
+        const VoxelCoord block = blockOf(v);
+        Visited& visited = m_visited[static_cast<size_t>(cellOf(block))];
+        if (visited.mask == nullptr || visited.block != block)
+            visited = {block, &(m_space.at(block).*MASK)};
         m_last = v;
-        m_mask = &(m_space.at(blockOf(v)).*MASK);
+        m_mask = visited.mask;
     }
+
+    struct Visited
+    {
+        VoxelCoord block;
+        CellMask* mask = nullptr;
+    };
 
     ObservedSpace& m_space;
     VoxelCoord m_last;  //!< a voxel of the current block
     CellMask* m_mask = nullptr;
+    std::array<Visited, BLOCK_CELLS> m_visited;  //!< by the low bits of the block's coordinates
 };
 }  // namespace
 

@@ -141,15 +141,26 @@ class VoxelGrouping
  private:
     uint32_t hitAt(const VoxelCoord& relative)
     {
-        const uint32_t hit = m_index.insert(relative, static_cast<uint32_t>(m_hits.size()));
-        if (hit == m_hits.size()) m_hits.push_back({m_base + relative, 0, {0, 0, 0}});
-        return hit;
+        // The row before went through the same voxels: remember where they are.
+        Found& found = m_found[static_cast<size_t>(cellOf(relative))];
+        if (found.hit == CoordHash::NONE || found.coord != relative) {
+            found = {relative, m_index.insert(relative, static_cast<uint32_t>(m_hits.size()))};
+            if (found.hit == m_hits.size()) m_hits.push_back({m_base + relative, 0, {0, 0, 0}});
+        }
+        return found.hit;
     }
+
+    struct Found
+    {
+        VoxelCoord coord;
+        uint32_t hit = CoordHash::NONE;
+    };
 
     VoxelCoord m_base;
     double m_resolution;
     std::vector<HitVoxel>& m_hits;
     CoordHash m_index;
+    std::array<Found, BLOCK_CELLS> m_found;  //!< by the low bits of the coordinates
 };
 }  // namespace
 
