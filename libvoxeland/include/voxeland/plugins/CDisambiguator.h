@@ -1,27 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/errors.h"
 #include "voxeland/map/MapQueries.h"
 #include "voxeland/plugins/Plugin.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace voxeland
 {
+/** A picture shown with a question. */
+struct DisambiguationPicture
+{
+    std::string caption;    //!< what it shows, in a few words
+    std::string mediaType;  //!< image/jpeg or image/png
+    std::string bytes;      //!< the encoded file
+};
+
 /** What a back-end is asked about one uncertain instance. */
 struct DisambiguationQuestion
 {
     instance_id_t instance = UNKNOWN_INSTANCE;
-    std::vector<RankedCategory> candidates;  //!< the categories to choose from, the likeliest first
-    std::string prompt;                      //!< the whole question in words
-    std::vector<std::string> images;  //!< encoded pictures (JPEG or PNG), in the prompt's order
+    std::vector<RankedCategory> candidates;       //!< to choose from, the likeliest first
+    std::string prompt;                           //!< the whole question in words
+    std::vector<DisambiguationPicture> pictures;  //!< in the order the prompt mentions them
 };
 
-/** What a back-end answered. */
+/** What a back-end answered, in its own words, and what that took. */
 struct DisambiguationAnswer
 {
-    std::string category;  //!< one of the candidates' names, or UNKNOWN_CATEGORY
-    std::string text;      //!< the answer as it was given
+    std::string text;   //!< the answer as it was given; which category it names is read elsewhere
+    std::string model;  //!< who answered: a model's name, "a person", ...
+    uint64_t promptTokens = 0, answerTokens = 0;  //!< as the server counted them; 0: unknown
+    double seconds = 0;                           //!< from question to answer
 };
 
 inline namespace abi_1
@@ -33,9 +46,12 @@ class CDisambiguator : public Plugin
     VOXELAND_DEFINE_VIRTUAL_MRPT_OBJECT(CDisambiguator)
 
  public:
-    /** Asks one question and waits for the answer.
-     *  \throws std::runtime_error if there is none */
-    [[nodiscard]] virtual DisambiguationAnswer ask(
+    /** Asks one question and waits for the answer. Called from several threads at once.
+     *  \return none if there is no answer yet, and there may be one another time (a person has not
+     *  written it)
+     *  \throws DisambiguationError if the back-end cannot be asked; `fatal` if no other question
+     *  can be either */
+    [[nodiscard]] virtual std::optional<DisambiguationAnswer> ask(
         const DisambiguationQuestion& question) const = 0;
 };
 }  // namespace abi_1
