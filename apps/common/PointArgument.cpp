@@ -9,18 +9,47 @@
 
 namespace voxeland::apps
 {
-mrpt::math::TPoint3D parsePoint(const std::string& option, const std::string& text)
+namespace
+{
+/** Reads finite numbers separated by commas, just as many as there are. */
+bool readNumbers(const std::string& text, std::initializer_list<double*> numbers)
 {
     std::istringstream in(text);
     in.imbue(std::locale::classic());
+    bool first = true;
+    for (double* number : numbers) {
+        char comma = ',';
+        if (!first) in >> comma;
+        in >> *number;
+        if (in.fail() || comma != ',' || !std::isfinite(*number)) return false;
+        first = false;
+    }
+    return (in >> std::ws).eof();
+}
+}  // namespace
+
+mrpt::math::TPoint3D parsePoint(const std::string& option, const std::string& text)
+{
     mrpt::math::TPoint3D p;
-    char first = 0, second = 0;
-    in >> p.x >> first >> p.y >> second >> p.z;
-    const bool good = !in.fail() && first == ',' && second == ',' && (in >> std::ws).eof() &&
-                      std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    if (!good)
+    if (!readNumbers(text, {&p.x, &p.y, &p.z}))
         throw ConfigurationError("--" + option + " '" + text +
                                  "' is not three numbers like 1.5,-2,0.3");
     return p;
+}
+
+mrpt::math::TVector3D parseDirection(const std::string& option, const std::string& text)
+{
+    const mrpt::math::TVector3D direction = parsePoint(option, text);
+    if (!(direction.norm() > 0)) throw ConfigurationError("--" + option + " must not be 0,0,0");
+    return direction;
+}
+
+HeightRange parseHeights(const std::string& option, const std::string& text)
+{
+    HeightRange range;
+    if (!readNumbers(text, {&range.low, &range.high}) || range.low > range.high)
+        throw ConfigurationError("--" + option + " '" + text +
+                                 "' is not two increasing numbers like 0.1,1.8");
+    return range;
 }
 }  // namespace voxeland::apps

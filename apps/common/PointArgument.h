@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/io/LevelFrame.h"
+
 #include <mrpt/math/TPoint3D.h>
 
 #include <string>
@@ -10,4 +12,12 @@ namespace voxeland::apps
  *  \param option name of the command line option, for the message
  *  \throws ConfigurationError unless the text is three finite numbers */
 mrpt::math::TPoint3D parsePoint(const std::string& option, const std::string& text);
+
+/** As parsePoint(), for a direction. \throws ConfigurationError for 0,0,0 too */
+mrpt::math::TVector3D parseDirection(const std::string& option, const std::string& text);
+
+/** Reads "low,high" [m].
+ *  \param option name of the command line option, for the message
+ *  \throws ConfigurationError unless the text is two finite numbers, the first not the larger */
+HeightRange parseHeights(const std::string& option, const std::string& text);
 }  // namespace voxeland::apps

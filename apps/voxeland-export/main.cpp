@@ -3,14 +3,26 @@
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
 #include "voxeland/errors.h"
+#include "voxeland/io/GlbFile.h"
+#include "voxeland/io/HeightSlice.h"
 #include "voxeland/io/InstancesCsv.h"
 #include "voxeland/io/InstancesJson.h"
 #include "voxeland/io/MapPly.h"
+#include "voxeland/io/MapScene.h"
 #include "voxeland/io/MapViews.h"
+#include "voxeland/io/OctoMapFile.h"
+#include "voxeland/io/PointsFile.h"
+#include "voxeland/io/SmallInstances.h"
+#include "voxeland/io/UpDirection.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 
+#include <mrpt/core/format.h>
+
+#include <algorithm>
+#include <functional>
 #include <iostream>
+#include <optional>
 
 using namespace voxeland;
 
@@ -18,64 +30,222 @@ namespace
 {
 const char* const DESCRIPTION = R"(Writes a Voxeland map in formats that other programs read.
 
-  voxeland-export -m kitchen.voxeland --png-dir pictures
+  voxeland-export -m kitchen.voxeland --png-dir pictures --min-voxels 10
   voxeland-export -m kitchen.voxeland --ply kitchen.ply --json kitchen.json --csv kitchen.csv
+  voxeland-export -m kitchen.voxeland --glb kitchen.glb --scene kitchen.3Dscene
+  voxeland-export -m flat.voxeland --octomap flat.bt --gridmap flat.gridmap --ros-map flat.yaml
+  voxeland-export -m flat.voxeland --points chairs.txt --category chair --height 0.1,1.2
 
 At least one output must be named. Existing files are replaced once the new ones are complete.
-Coordinates are metres in the map's frame, entropies are in nat.)";
+Coordinates are metres in the map's frame; entropies are in nat. Grids, and nothing else, are in that
+frame turned about its origin until up is z, and heights are measured along up from the floor, the
+lowest surface that was seen: both are told where they matter.)";
+
+/** The program's command line. */
+struct Arguments : apps::CommandLine
+{
+    Arguments() : CommandLine(DESCRIPTION) {}
+
+    TCLAP::ValueArg<std::string> up{
+        "",
+        "up",
+        "Direction of up in the map's frame (default: +z, or that direction near it in which floor"
+        " and tables are level, or -y in a world with a camera's axes)",
+        false,
+        "",
+        "X,Y,Z",
+        parser()};
+    TCLAP::ValueArg<std::string> height{
+        "",
+        "height",
+        "Heights above the floor [m] of --gridmap and --ros-map (default: 0.1,1.8) and --points"
+        " (default: all)",
+        false,
+        "",
+        "LOW,HIGH",
+        parser()};
+    TCLAP::MultiArg<std::string> category{
+        "",    "category", "--points: only of this category; may be repeated",
+        false, "NAME",     parser()};
+    TCLAP::ValueArg<uint32_t> minVoxels{
+        "",
+        "min-voxels",
+        "Take instances of fewer occupied voxels for unknown, in all outputs",
+        false,
+        0,
+        "N",
+        parser()};
+    TCLAP::SwitchArg all{
+        "", "all", "PLY: also voxels that were measured once but are now believed free", parser()};
+    TCLAP::ValueArg<std::string> points{
+        "",      "points", "Centres of voxels as an MRPT points map (.txt, .metricmap or .3Dscene)",
+        false,   "",       "FILE",
+        parser()};
+    TCLAP::ValueArg<std::string> rosMap{
+        "",      "ros-map", "Slice of some heights for ROS's map_server, with a .pgm beside it",
+        false,   "",        "FILE.yaml",
+        parser()};
+    TCLAP::ValueArg<std::string> gridmap{
+        "",      "gridmap", "Slice of some heights as an MRPT occupancy grid",
+        false,   "",        "FILE.gridmap",
+        parser()};
+    TCLAP::ValueArg<std::string> octomap{
+        "",        "octomap", "Occupancy as an OctoMap (.bt, or .ot with probabilities)", false, "",
+        "FILE.bt", parser()};
+    TCLAP::ValueArg<std::string> glb{
+        "",      "glb", "Binary glTF: voxels as a coloured mesh, a node for each instance",
+        false,   "",    "FILE.glb",
+        parser()};
+    TCLAP::ValueArg<std::string> scene{
+        "",      "scene", "Voxels, boxes and names of instances for MRPT's SceneViewer3D",
+        false,   "",      "FILE.3Dscene",
+        parser()};
+    TCLAP::ValueArg<std::string> pngDir{
+        "",
+        "png-dir",
+        "Folder for pictures with legends: instances, categories and three uncertainties, each"
+        " from the top and in perspective",
+        false,
+        "",
+        "DIR",
+        parser()};
+    TCLAP::ValueArg<std::string> csv{"",     "csv",   "Table of the instances", false, "",
+                                     "FILE", parser()};
+    TCLAP::ValueArg<std::string> json{
+        "",     "json",  "Instances with evidence, probabilities, entropies and boxes", false, "",
+        "FILE", parser()};
+    TCLAP::ValueArg<std::string> perInstance{
+        "", "per-instance", "Folder for a PLY of each instance", false, "", "DIR", parser()};
+    TCLAP::ValueArg<std::string> ply{
+        "",
+        "ply",
+        "Voxels as a binary point cloud with instance, category, occupancy and uncertainties",
+        false,
+        "",
+        "FILE",
+        parser()};
+    TCLAP::ValueArg<std::string> map{"m", "map", "Map to read", true, "", "MAP.voxeland", parser()};
+};
+
+/** Heights asked for, or else these, in the level frame. Says on stderr where they are. */
+HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame,
+                      HeightRange heights)
+{
+    if (arguments.height.isSet())
+        heights = apps::parseHeights("height", arguments.height.getValue());
+    const double floor = floorHeight(map, frame);
+    const auto& up = frame.axes()[2];
+    if (!arguments.quiet())
+        std::cerr << mrpt::format("heights are along (%.3f, %.3f, %.3f), from %.2f m\n", up.x, up.y,
+                                  up.z, floor);
+    return {floor + heights.low, floor + heights.high};
+}
+
+void written(const std::string& file)
+{
+    std::cout << "written: " << file << "\n";
+}
+
+void writePly(Arguments& arguments, const SemanticVoxelMap& map)
+{
+    const bool occupiedOnly = !arguments.all.isSet();
+    if (arguments.ply.isSet()) {
+        exportPly(map, arguments.ply.getValue(), occupiedOnly);
+        written(arguments.ply.getValue());
+    }
+    if (arguments.perInstance.isSet())
+        for (const std::string& file :
+             exportPlyPerInstance(map, arguments.perInstance.getValue(), occupiedOnly))
+            written(file);
+}
+
+void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
+{
+    if (!arguments.gridmap.isSet() && !arguments.rosMap.isSet()) return;
+    const HeightSlice slice = sliceOf(map, frame, heightsOf(arguments, map, frame, {0.1, 1.8}));
+    if (arguments.gridmap.isSet()) {
+        exportGridmap(slice, arguments.gridmap.getValue());
+        written(arguments.gridmap.getValue());
+    }
+    if (arguments.rosMap.isSet()) {
+        const std::string& yaml = arguments.rosMap.getValue();
+        exportRosMap(slice, yaml);
+        written(rosImageOf(yaml));
+        written(yaml);
+    }
+}
+
+void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
+{
+    PointsFilter filter;
+    filter.frame = frame;
+    for (const std::string& name : arguments.category.getValue()) filter.categories.insert(name);
+    if (arguments.height.isSet()) filter.heights = heightsOf(arguments, map, frame, {});
+    if (exportPoints(map, filter, arguments.points.getValue()) == 0)
+        std::cerr << "voxeland-export: warning: no voxel is of these categories and heights\n";
+    written(arguments.points.getValue());
+}
+
+/** An output that is one file. */
+void writeFile(TCLAP::ValueArg<std::string>& output,
+               const std::function<void(const std::string&)>& write)
+{
+    if (!output.isSet()) return;
+    write(output.getValue());
+    written(output.getValue());
+}
+
+void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
+{
+    writePly(arguments, map);
+    writeFile(arguments.json, [&](const std::string& file) { exportJson(map, file); });
+    writeFile(arguments.csv, [&](const std::string& file) { exportCsv(map, file); });
+    writeFile(arguments.glb, [&](const std::string& file) { exportGlb(map, frame, file); });
+    writeFile(arguments.scene, [&](const std::string& file) { exportScene(map, frame, file); });
+    writeFile(arguments.octomap, [&](const std::string& file) { exportOctoMap(map, file); });
+    writeGrids(arguments, map, frame);
+    if (arguments.points.isSet()) writePoints(arguments, map, frame);
+    if (!arguments.pngDir.isSet()) return;
+    ViewOptions views;
+    views.up = frame.axes()[2];
+    for (const std::string& file : exportViews(map, arguments.pngDir.getValue(), views))
+        written(file);
+}
+
+/** Complains about wrong usage before a map is read. */
+void check(Arguments& arguments)
+{
+    std::vector<std::string> outputs;
+    for (auto* output :
+         {&arguments.ply, &arguments.json, &arguments.csv, &arguments.glb, &arguments.scene,
+          &arguments.octomap, &arguments.gridmap, &arguments.rosMap, &arguments.points})
+        outputs.push_back(output->getValue());
+    const auto isEmpty = [](const std::string& file) { return file.empty(); };
+    if (std::all_of(outputs.begin(), outputs.end(), isEmpty) && !arguments.perInstance.isSet() &&
+        !arguments.pngDir.isSet())
+        throw ConfigurationError("nothing to write: name at least one output (see --help)");
+    if (arguments.rosMap.isSet()) outputs.push_back(rosImageOf(arguments.rosMap.getValue()));
+    apps::checkOutputs(outputs, {arguments.map.getValue()});
+    if (arguments.category.isSet() && !arguments.points.isSet())
+        throw ConfigurationError("--category goes with --points");
+    if (arguments.height.isSet()) {
+        static_cast<void>(apps::parseHeights("height", arguments.height.getValue()));
+        if (!arguments.points.isSet() && !arguments.gridmap.isSet() && !arguments.rosMap.isSet())
+            throw ConfigurationError("--height goes with --points, --gridmap and --ros-map");
+    }
+}
 
 int run(int argc, char** argv)
 {
-    apps::CommandLine commandLine(DESCRIPTION);
-    auto& parser = commandLine.parser();
-    TCLAP::ValueArg<std::string> up(
-        "", "up",
-        "Direction of up for the pictures, in the map's frame (default: +z, or that direction near"
-        " it in which floor and tables are level)",
-        false, "", "X,Y,Z", parser);
-    TCLAP::SwitchArg all(
-        "", "all", "PLY: also voxels that were measured once but are now believed free", parser);
-    TCLAP::ValueArg<std::string> pngDir(
-        "", "png-dir",
-        "Folder for pictures with legends: instances, categories and three uncertainties, each"
-        " from the top and in perspective",
-        false, "", "DIR", parser);
-    TCLAP::ValueArg<std::string> csv("", "csv", "Table of the instances", false, "", "FILE",
-                                     parser);
-    TCLAP::ValueArg<std::string> json("", "json",
-                                      "Instances with evidence, probabilities, entropies and boxes",
-                                      false, "", "FILE", parser);
-    TCLAP::ValueArg<std::string> ply(
-        "", "ply",
-        "Voxels as a binary point cloud with instance, category, occupancy and uncertainties",
-        false, "", "FILE", parser);
-    TCLAP::ValueArg<std::string> mapFile("m", "map", "Map to read", true, "", "MAP.voxeland",
-                                         parser);
-    if (!commandLine.parse(argc, argv)) return 0;
-    if (!ply.isSet() && !json.isSet() && !csv.isSet() && !pngDir.isSet())
-        throw ConfigurationError(
-            "nothing to write: name at least one of --ply, --json, --csv and --png-dir");
-    apps::checkOutputs({ply.getValue(), json.getValue(), csv.getValue()}, {mapFile.getValue()});
-    ViewOptions views;
-    if (up.isSet()) views.up = apps::parsePoint("up", up.getValue());
+    Arguments arguments;
+    if (!arguments.parse(argc, argv)) return 0;
+    check(arguments);
+    std::optional<mrpt::math::TVector3D> up;
+    if (arguments.up.isSet()) up = apps::parseDirection("up", arguments.up.getValue());
 
-    const auto loaded = loadMap(mapFile.getValue());
-    const SemanticVoxelMap& map = loaded->map();
-    const auto written = [](const std::string& file) { std::cout << "written: " << file << "\n"; };
-    if (ply.isSet()) {
-        exportPly(map, ply.getValue(), !all.isSet());
-        written(ply.getValue());
-    }
-    if (json.isSet()) {
-        exportJson(map, json.getValue());
-        written(json.getValue());
-    }
-    if (csv.isSet()) {
-        exportCsv(map, csv.getValue());
-        written(csv.getValue());
-    }
-    if (pngDir.isSet())
-        for (const std::string& file : exportViews(map, pngDir.getValue(), views)) written(file);
+    SemanticVoxelMap map = loadMap(arguments.map.getValue())->map();
+    if (arguments.minVoxels.isSet()) dropSmallInstances(map, arguments.minVoxels.getValue());
+    writeAll(arguments, map, LevelFrame(up ? *up : estimateUp(map)));
     return 0;
 }
 }  // namespace

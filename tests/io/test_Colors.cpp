@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/Colors.h"
+#include "voxeland/map/SemanticVoxelMap.h"
 
 #include <gtest/gtest.h>
 
@@ -16,16 +17,39 @@ double distance(const Color& a, const Color& b)
 }
 }  // namespace
 
-TEST(Colors, instancesDifferFromNeighboursAndFromGrey)
+TEST(Colors, instancesDifferFromEachOtherAndFromGrey)
 {
-    for (instance_id_t id = 1; id < 300; ++id) {
-        const Color c = instanceColor(id);
-        for (instance_id_t other = id + 1; other < id + 6; ++other)
-            EXPECT_GT(distance(c, instanceColor(other)), 50) << id << " and " << other;
+    SemanticVoxelMap map;
+    for (int i = 0; i < 20; ++i) map.addEvidence({i, 0, 0}, map.createInstance().id, 1);
+    const auto colors = instanceColors(map);
+    ASSERT_EQ(colors.size(), 21U);
+    EXPECT_EQ(colors.at(UNKNOWN_INSTANCE), UNKNOWN_COLOR);
+    for (const auto& [id, c] : colors) {
+        if (id == UNKNOWN_INSTANCE) continue;
+        for (const auto& [other, otherColor] : colors)
+            if (other != id) {
+                EXPECT_GT(distance(c, otherColor), 50) << id << " and " << other;
+            }
         const auto [least, most] = std::minmax({c.red, c.green, c.blue});
         EXPECT_GT(most - least, 80) << id << " is nearly grey";
     }
-    EXPECT_EQ(instanceColor(UNKNOWN_INSTANCE), UNKNOWN_COLOR);
+}
+
+/** Whatever small instances there are besides. */
+TEST(Colors, theBiggestInstancesKeepTheirs)
+{
+    SemanticVoxelMap map;
+    const auto addInstance = [&](int size) {
+        const auto id = map.createInstance().id;
+        for (int x = 0; x < size; ++x) map.addEvidence({x, static_cast<int>(id), 0}, id, 1);
+        return id;
+    };
+    const auto first = addInstance(30), second = addInstance(20);
+    const auto before = instanceColors(map);
+    for (int i = 0; i < 40; ++i) addInstance(2);
+    const auto after = instanceColors(map);
+    EXPECT_EQ(after.at(first), before.at(first));
+    EXPECT_EQ(after.at(second), before.at(second));
 }
 
 TEST(Colors, categoriesDiffer)

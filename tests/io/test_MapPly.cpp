@@ -125,9 +125,9 @@ TEST(MapPly, everyVoxelWithItsNumbers)
     EXPECT_NEAR(seat.at("uncertainty_instances"), test::H_INSTANCE_10_1, TOLERANCE);
     EXPECT_NEAR(seat.at("uncertainty_categories"), test::H_CATEGORY_2_2, TOLERANCE);
     EXPECT_NEAR(seat.at("uncertainty_semantic"), test::H_SEMANTIC_SEAT, TOLERANCE);
-    EXPECT_EQ(seat.at("red"), instanceColor(1).red);
-    EXPECT_EQ(seat.at("green"), instanceColor(1).green);
-    EXPECT_EQ(seat.at("blue"), instanceColor(1).blue);
+    EXPECT_EQ(seat.at("red"), instanceColors(tinyMap()).at(1).red);
+    EXPECT_EQ(seat.at("green"), instanceColors(tinyMap()).at(1).green);
+    EXPECT_EQ(seat.at("blue"), instanceColors(tinyMap()).at(1).blue);
 
     const auto cup = at(ply, {1, 0, 0});
     EXPECT_EQ(cup.at("instanceid"), 2);
@@ -166,8 +166,27 @@ TEST(MapPly, aNameWithALineBreakDoesNotBreakTheHeader)
     EXPECT_EQ(exported(map).vertices.size(), 3U);
 }
 
+TEST(MapPly, oneFileAnInstance)
+{
+    const TemporaryFolder folder;
+    SemanticVoxelMap map = tinyMap();
+    const auto desk = test::addInstance(map, {{"dining table/../", 1}});
+    test::addVoxel(map, {7, 7, 7}, {{desk, 1}});
+    const auto files = exportPlyPerInstance(map, folder.file("all"));
+    std::vector<std::string> expected;
+    for (const char* name : {"0_unknown", "1_chair", "2_cup", "3_dining_table____"})
+        expected.push_back(folder.file("all") + "/" + name + ".ply");
+    EXPECT_EQ(files, expected);
+    for (size_t i = 0; i < files.size(); ++i) {
+        const Ply ply = parse(test::readFile(files[i]));
+        ASSERT_EQ(ply.vertices.size(), 1U) << files[i];
+        EXPECT_EQ(ply.vertices[0].at("instanceid"), static_cast<double>(i));
+    }
+}
+
 TEST(MapPly, unwritable)
 {
+    EXPECT_THROW(exportPlyPerInstance(tinyMap(), "/dev/null/below"), OutputError);
     EXPECT_THROW(exportPly(tinyMap(), "/no/such/folder/map.ply"), OutputError);
     EXPECT_THROW(exportPly(tinyMap(), "/dev/full"), OutputError);
 }

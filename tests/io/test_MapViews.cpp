@@ -96,7 +96,8 @@ TEST(MapViews, writesTenPicturesOfTheSizeAskedFor)
 TEST(MapViews, topViewIsToScaleAndTheCeilingIsOpen)
 {
     const cv::Mat3b image = viewOf(room(), "instances_top.png");
-    const auto left = pixelsOf(image, instanceColor(1)), right = pixelsOf(image, instanceColor(2));
+    const auto left = pixelsOf(image, instanceColors(room()).at(1)),
+               right = pixelsOf(image, instanceColors(room()).at(2));
     ASSERT_GT(left.size(), 500U);
     EXPECT_NEAR(static_cast<double>(left.size()), static_cast<double>(right.size()),
                 0.1 * static_cast<double>(left.size()));
@@ -113,10 +114,12 @@ TEST(MapViews, yPointsUpInTheTopView)
     for (int x = 16; x < 24; ++x)
         for (int y = 16; y < 20; ++y) test::addVoxel(map, {x, y, 5}, {{far, 3}});
     const cv::Mat3b image = viewOf(map, "instances_top.png");
-    EXPECT_LT(middleOf(pixelsOf(image, instanceColor(far))).y,
-              middleOf(pixelsOf(image, instanceColor(1))).y - 10);
+    EXPECT_LT(middleOf(pixelsOf(image, instanceColors(map).at(far))).y,
+              middleOf(pixelsOf(image, instanceColors(map).at(1))).y - 10);
 }
 
+/** The scale ends at the right object's entropies: the expected one of (1,1), 0.5, is the largest
+ *  of instances and categories. */
 TEST(MapViews, uncertaintyIsBlueWhereSureAndRedWhereNot)
 {
     const cv::Mat3b image = viewOf(room(), "uncertainty_categories_top.png");
@@ -127,11 +130,24 @@ TEST(MapViews, uncertaintyIsBlueWhereSureAndRedWhereNot)
     EXPECT_LT(middleOf(sure).x, middleOf(unsure).x);
 }
 
+/** An entropy of 0.5 over instances has the colour of 0.5 over categories, the end of the scale. */
+TEST(MapViews, allUncertaintiesHaveOneScale)
+{
+    SemanticVoxelMap map = room();
+    const auto shared = test::addInstance(map, {{"cup", 1}});
+    for (int x = 16; x < 24; ++x)
+        for (int y = 6; y < 14; ++y)
+            test::addVoxel(map, {x, y, 5}, {{shared, 2}, {UNKNOWN_INSTANCE, 1}});
+    // Dirichlet (2,1): 2/3 (psi(4) - psi(3)) + 1/3 (psi(4) - psi(2)) = 2/3 1/3 + 1/3 (1/3 + 1/2)
+    const Color color = uncertaintyColor((2.0 / 9 + 5.0 / 18) / 0.5);
+    EXPECT_GT(pixelsOf(viewOf(map, "uncertainty_instances_top.png"), color).size(), 200U);
+}
+
 TEST(MapViews, upTurnsTheScene)
 {
     // Seen along -x, the two objects lie behind each other and are one voxel high.
     const cv::Mat3b image = viewOf(room(), "instances_top.png", {1, 0, 0});
-    EXPECT_LT(pixelsOf(image, instanceColor(1)).size(), 100U);
+    EXPECT_LT(pixelsOf(image, instanceColors(room()).at(1)).size(), 100U);
 }
 
 TEST(MapViews, drawsTheSameTwice)

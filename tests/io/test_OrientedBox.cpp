@@ -60,6 +60,23 @@ TEST(OrientedBox, findsATurnedRectangle)
     EXPECT_NEAR(box.size.y, 0.6, 2 * RESOLUTION);
 }
 
+/** The rectangle stands on its side in a camera's axes (y down): its length along z, up is -y. */
+TEST(OrientedBox, isUprightWhereverUpIs)
+{
+    std::vector<VoxelCoord> voxels;
+    for (int z = 0; z < 8; ++z)
+        for (int y = 0; y < 3; ++y) voxels.push_back({0, y, z});
+    const OrientedBox box = orientedBox(voxels, 0.1, LevelFrame({0, -1, 0}));
+    EXPECT_NEAR(box.size.x, 0.8, 1e-9);
+    EXPECT_NEAR(box.size.y, 0.1, 1e-9);
+    EXPECT_NEAR(box.size.z, 0.3, 1e-9);
+    EXPECT_NEAR(std::abs(box.axes.axes()[0].z), 1, 1e-9);
+    EXPECT_NEAR(box.axes.axes()[2].y, -1, 1e-9);
+    EXPECT_NEAR(box.center.x, 0.05, 1e-9);
+    EXPECT_NEAR(box.center.y, 0.15, 1e-9);
+    EXPECT_NEAR(box.center.z, 0.4, 1e-9);
+}
+
 TEST(OrientedBox, onlyOccupiedVoxelsOfTheWinner)
 {
     const auto boxes = orientedBoxes(test::tinyMap());

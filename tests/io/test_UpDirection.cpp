@@ -68,6 +68,18 @@ TEST(UpDirection, staysExactlyZInLevelMaps)
     EXPECT_EQ(estimateUp(test::tinyMap()).z, 1);
 }
 
+TEST(UpDirection, aWallAloneTellsNothing)
+{
+    SemanticVoxelMap map;
+    for (int z = 0; z < 40; ++z)
+        for (int y = 0; y < 40; ++y) {
+            test::addVoxel(map, {20, y, z}, {{UNKNOWN_INSTANCE, 1}});
+            for (int x = 10; x < 20; ++x)
+                map.blocks().at(blockOf({x, y, z})).setOccupancy(cellOf({x, y, z}), -1000);
+        }
+    EXPECT_EQ(estimateUp(map).z, 1);
+}
+
 TEST(UpDirection, levelsATiltedWorld)
 {
     EXPECT_LT(errorAt(CPose3D(0, 0, 0, 0.3, 25 * DEGREE, 0)), 2 * DEGREE);

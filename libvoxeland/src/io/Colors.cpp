@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/Colors.h"
 
+#include "voxeland/map/SemanticVoxelMap.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace voxeland
 {
 namespace
 {
-constexpr size_t PALETTE = 60;  //!< colours given to categories before they repeat
-
 /** \param hue in turns \param saturation, value in [0,1] */
 Color fromHsv(double hue, double saturation, double value)
 {
@@ -40,35 +41,59 @@ uint32_t hashOf(const std::string& name)
     for (const char c : name) h = (h ^ static_cast<uint8_t>(c)) * 16777619U;
     return h;
 }
+
 int squaredDistance(const Color& a, const Color& b)
 {
     const int r = a.red - b.red, g = a.green - b.green, l = a.blue - b.blue;
     return r * r + g * g + l * l;
 }
+
+/** Gives away its tones, each time one far from those that are taken. */
+class Palette
+{
+ public:
+    /** \param start the tone to begin the search with, any number */
+    Color take(size_t start)
+    {
+        constexpr int ENOUGH = 110 * 110;
+        int best = -1;
+        Color chosen;
+        for (size_t i = 0; i < TONES && best < ENOUGH; ++i) {
+            const Color candidate = distinctColor((start + i) % TONES);
+            int nearest = ENOUGH;
+            for (const Color& other : m_taken)
+                nearest = std::min(nearest, squaredDistance(candidate, other));
+            if (nearest <= best) continue;
+            best = nearest;
+            chosen = candidate;
+        }
+        m_taken.push_back(chosen);
+        return chosen;
+    }
+
+ private:
+    static constexpr size_t TONES = 60;  //!< before they repeat
+    std::vector<Color> m_taken;
+};
 }  // namespace
 
-Color instanceColor(instance_id_t id)
+std::map<instance_id_t, Color> instanceColors(const SemanticVoxelMap& map)
 {
-    return id == UNKNOWN_INSTANCE ? UNKNOWN_COLOR : distinctColor(id);
+    std::vector<const Instance*> biggestFirst;
+    for (const auto& [id, instance] : map.instances()) biggestFirst.push_back(&instance);
+    std::stable_sort(biggestFirst.begin(), biggestFirst.end(),
+                     [](const Instance* a, const Instance* b) { return a->voxels > b->voxels; });
+    Palette palette;
+    std::map<instance_id_t, Color> colors = {{UNKNOWN_INSTANCE, UNKNOWN_COLOR}};
+    for (const Instance* instance : biggestFirst) colors[instance->id] = palette.take(instance->id);
+    return colors;
 }
 
 std::map<std::string, Color> categoryColors(const std::set<std::string>& names)
 {
-    constexpr int ENOUGH = 110 * 110;
+    Palette palette;
     std::map<std::string, Color> colors;
-    for (const std::string& name : names) {
-        const size_t start = hashOf(name) % PALETTE;
-        int best = -1;
-        for (size_t i = 0; i < PALETTE && best < ENOUGH; ++i) {
-            const Color candidate = distinctColor((start + i) % PALETTE);
-            int nearest = ENOUGH;
-            for (const auto& [other, color] : colors)
-                if (other != name) nearest = std::min(nearest, squaredDistance(candidate, color));
-            if (nearest <= best) continue;
-            best = nearest;
-            colors[name] = candidate;
-        }
-    }
+    for (const std::string& name : names) colors[name] = palette.take(hashOf(name));
     return colors;
 }
 

@@ -44,8 +44,11 @@ json_t toJson(const SemanticVoxelMap& map, const InstanceSummary& summary, const
     json["geometric_entropy"] = summary.geometricEntropy;
     json["voxels"] = summary.voxels;
     json["centroid"] = toJson(summary.centroid);
-    json["oriented_box"] = {
-        {"center", toJson(box.center)}, {"size", toJson(box.size)}, {"yaw", box.yaw}};
+    json["oriented_box"] = {{"center", toJson(box.center)},
+                            {"size", toJson(box.size)},
+                            {"yaw", box.yaw},
+                            {"axes", json_t::array()}};
+    for (const auto& axis : box.axes.axes()) json["oriented_box"]["axes"].push_back(toJson(axis));
     return json;
 }
 

@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/MapPly.h"
 
+#include "LittleEndianStream.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/Colors.h"
+#include "voxeland/io/OutputFolder.h"
 #include "voxeland/map/MapQueries.h"
 
-#include <mrpt/core/reverse_bytes.h>
-
 #include <algorithm>
+#include <cctype>
 
 namespace voxeland
 {
 namespace
 {
-/** Writes numbers little-endian, whatever the machine. */
-class LittleEndianStream
-{
- public:
-    explicit LittleEndianStream(std::ostream& out) : m_out(out) {}
-    template <typename T>
-    LittleEndianStream& operator<<(T value)
-    {
-        value = mrpt::toNativeEndianness(value);
-        m_out.write(reinterpret_cast<const char*>(&value), sizeof(value));
-        return *this;
-    }
-
- private:
-    std::ostream& m_out;
-};
-
 /** A name on one line: a comment ends where the line does. */
 std::string onOneLine(std::string name)
 {
@@ -66,34 +50,91 @@ std::map<instance_id_t, int32_t> topCategories(const SemanticVoxelMap& map)
     }
     return top;
 }
+
+/** Writes some of a map's voxels at a time. */
+class PlyWriter
+{
+ public:
+    explicit PlyWriter(const SemanticVoxelMap& map)
+        : m_map(map),
+          m_categories(topCategories(map)),
+          m_colors(instanceColors(map)),
+          m_uncertainty(map)
+    {
+    }
+
+    void write(const std::vector<VoxelCoord>& voxels, const std::string& file)
+    {
+        writeAtomically(file, [&](std::ostream& out) {
+            writeHeader(m_map, voxels.size(), out);
+            LittleEndianStream body(out);
+            for (const VoxelCoord& v : voxels) writeVertex(v, body);
+        });
+    }
+
+ private:
+    void writeVertex(const VoxelCoord& v, LittleEndianStream& body)
+    {
+        const VoxelEvidence& evidence = *m_map.evidence(v);
+        const auto at = voxelCenter<mrpt::math::TPoint3D>(v, m_map.resolution());
+        for (const double x : {at.x, at.y, at.z}) body << static_cast<float>(x);
+        const instance_id_t id = evidence.winner();
+        const Color& color = m_colors.at(id);
+        body << color.red << color.green << color.blue << static_cast<int32_t>(id);
+        const auto category = m_categories.find(id);
+        body << (category == m_categories.end() ? int32_t{-1} : category->second);
+        for (const double x : {OccupancyFilter::probability(m_map.occupancy(v)),
+                               m_uncertainty.instanceEntropy(evidence),
+                               m_uncertainty.winnerCategoryEntropy(evidence),
+                               m_uncertainty.categoryEntropy(evidence)})
+            body << static_cast<float>(x);
+    }
+
+    const SemanticVoxelMap& m_map;
+    std::map<instance_id_t, int32_t> m_categories;
+    std::map<instance_id_t, Color> m_colors;
+    VoxelUncertainty m_uncertainty;
+};
+
+/** "12_dining_table": letters and digits of the category, so that any file system takes it. */
+std::string fileNameOf(instance_id_t id, const std::string& category)
+{
+    std::string name = std::to_string(id) + "_" + category;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '-'; },
+        '_');
+    return name + ".ply";
+}
 }  // namespace
 
 void exportPly(const SemanticVoxelMap& map, const std::string& file, bool occupiedOnly)
 {
-    size_t voxels = 0;
-    map.forEachVoxel([&](const auto&...) { ++voxels; }, occupiedOnly);
-    const auto categories = topCategories(map);
-    VoxelUncertainty uncertainty(map);
+    std::vector<VoxelCoord> voxels;
+    map.forEachVoxel([&](const VoxelCoord& v, const auto&...) { voxels.push_back(v); },
+                     occupiedOnly);
+    PlyWriter(map).write(voxels, file);
+}
 
-    writeAtomically(file, [&](std::ostream& out) {
-        writeHeader(map, voxels, out);
-        LittleEndianStream body(out);
-        map.forEachVoxel(
-            [&](const VoxelCoord& v, log_odds_t occupancy, const VoxelEvidence& evidence) {
-                const auto at = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
-                for (const double x : {at.x, at.y, at.z}) body << static_cast<float>(x);
-                const instance_id_t id = evidence.winner();
-                const Color color = instanceColor(id);
-                body << color.red << color.green << color.blue << static_cast<int32_t>(id);
-                const auto category = categories.find(id);
-                body << (category == categories.end() ? int32_t{-1} : category->second);
-                for (const double x : {OccupancyFilter::probability(occupancy),
-                                       uncertainty.instanceEntropy(evidence),
-                                       uncertainty.winnerCategoryEntropy(evidence),
-                                       uncertainty.categoryEntropy(evidence)})
-                    body << static_cast<float>(x);
-            },
-            occupiedOnly);
-    });
+std::vector<std::string> exportPlyPerInstance(const SemanticVoxelMap& map,
+                                              const std::string& folder, bool occupiedOnly)
+{
+    makeOutputFolder(folder);
+    std::map<instance_id_t, std::vector<VoxelCoord>> voxels;
+    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t,
+                         const VoxelEvidence& evidence) { voxels[evidence.winner()].push_back(v); },
+                     occupiedOnly);
+    const auto categories = topCategories(map);
+    PlyWriter writer(map);
+    std::vector<std::string> files;
+    for (const auto& [id, list] : voxels) {
+        const auto category = categories.find(id);
+        const bool none = category == categories.end();
+        const std::string name =
+            none ? UNKNOWN_CATEGORY
+                 : map.categories().name(static_cast<category_id_t>(category->second));
+        files.push_back(folder + "/" + fileNameOf(id, name));
+        writer.write(list, files.back());
+    }
+    return files;
 }
 }  // namespace voxeland

@@ -107,7 +107,7 @@ std::vector<std::string> exportViews(const SemanticVoxelMap& map, const std::str
         throw ConfigurationError("the up direction must not be 0,0,0");
     makeOutputFolder(folder);
 
-    const VoxelScene scene(map, options.up ? *options.up : estimateUp(map));
+    const VoxelScene scene(map, LevelFrame(options.up ? *options.up : estimateUp(map)));
     const cv::Size picture = ViewSheet::pictureSize(options.height);
     const cv::Size fine = picture * OVERSAMPLING;
     const double azimuth = bestAzimuth(scene, picture);

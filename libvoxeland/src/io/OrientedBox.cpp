@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/OrientedBox.h"
 
+#include "voxeland/io/UpDirection.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace voxeland
 {
+using mrpt::math::TPoint3D;
+
 namespace
 {
 /** Smallest and largest of some numbers. */
@@ -22,17 +27,17 @@ struct Range
     [[nodiscard]] double middle() const { return (min + max) / 2; }
 };
 
-/** Direction of the largest horizontal spread [rad]. */
-double principalYaw(const std::vector<VoxelCoord>& voxels)
+/** Direction of the largest horizontal spread [rad]. \param points in a level frame */
+double principalYaw(const std::vector<TPoint3D>& points)
 {
-    const auto n = static_cast<double>(voxels.size());
+    const auto n = static_cast<double>(points.size());
     double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
-    for (const VoxelCoord& v : voxels) {
-        mx += v.x / n;
-        my += v.y / n;
+    for (const TPoint3D& p : points) {
+        mx += p.x / n;
+        my += p.y / n;
     }
-    for (const VoxelCoord& v : voxels) {
-        const double dx = v.x - mx, dy = v.y - my;
+    for (const TPoint3D& p : points) {
+        const double dx = p.x - mx, dy = p.y - my;
         xx += dx * dx;
         xy += dx * dy;
         yy += dy * dy;
@@ -44,33 +49,39 @@ double principalYaw(const std::vector<VoxelCoord>& voxels)
 }
 }  // namespace
 
-OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution)
+OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution,
+                        const LevelFrame& frame)
 {
+    std::vector<TPoint3D> points;
+    for (const VoxelCoord& v : voxels)
+        points.push_back(frame.toLevel(voxelCenter<TPoint3D>(v, resolution)));
     OrientedBox box;
-    box.yaw = principalYaw(voxels);
-    const double c = std::cos(box.yaw), s = std::sin(box.yaw);
-    Range along, across, height;
+    box.yaw = principalYaw(points);
+    box.axes = frame.turned(box.yaw);
+    std::array<Range, 3> sides;
     for (const VoxelCoord& v : voxels) {
-        const auto p = voxelCenter<mrpt::math::TPoint3D>(v, resolution);
-        along.extend(c * p.x + s * p.y);
-        across.extend(c * p.y - s * p.x);
-        height.extend(p.z);
+        const TPoint3D p = box.axes.toLevel(voxelCenter<TPoint3D>(v, resolution));
+        for (size_t a = 0; a < 3; ++a) sides[a].extend(p[a]);
     }
-    box.center = {c * along.middle() - s * across.middle(),
-                  s * along.middle() + c * across.middle(), height.middle()};
-    box.size = {along.max - along.min + resolution, across.max - across.min + resolution,
-                height.max - height.min + resolution};
+    for (size_t a = 0; a < 3; ++a) box.size[a] = sides[a].max - sides[a].min + resolution;
+    box.center = box.axes.toMap({sides[0].middle(), sides[1].middle(), sides[2].middle()});
     return box;
 }
 
-std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map)
+std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map,
+                                                   const LevelFrame& frame)
 {
     std::map<instance_id_t, std::vector<VoxelCoord>> voxels;
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
         if (evidence.winner() != UNKNOWN_INSTANCE) voxels[evidence.winner()].push_back(v);
     });
     std::map<instance_id_t, OrientedBox> boxes;
-    for (const auto& [id, list] : voxels) boxes[id] = orientedBox(list, map.resolution());
+    for (const auto& [id, list] : voxels) boxes[id] = orientedBox(list, map.resolution(), frame);
     return boxes;
+}
+
+std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map)
+{
+    return orientedBoxes(map, LevelFrame(estimateUp(map)));
 }
 }  // namespace voxeland

@@ -122,6 +122,9 @@ TVector3D estimateUp(const SemanticVoxelMap& map)
     const Candidate optical = bestNear(facets, y * -1.0, x, z);
     if (optical.concentration > OPTICAL * best.concentration) return optical.up;
     const bool clearlyBetter = best.concentration > CLEARLY * concentration(facets, z);
-    return clearlyBetter && best.up.z < std::cos(MIN_TILT) ? best.up : z;
+    // At the end of the search it is a wall that shows, not a floor.
+    const bool isTilt =
+        best.up.z < std::cos(MIN_TILT) && best.up.z > std::cos(MAX_TILT - 1 * DEGREE);
+    return clearlyBetter && isTilt ? best.up : z;
 }
 }  // namespace voxeland

@@ -13,6 +13,8 @@ namespace voxeland
 {
 namespace
 {
+constexpr uint32_t LABELLED = 5;  //!< voxels an instance must have for a label in the picture
+
 /** The biggest instances first. */
 std::vector<InstanceSummary> bySize(const SemanticVoxelMap& map)
 {
@@ -25,15 +27,14 @@ std::vector<InstanceSummary> bySize(const SemanticVoxelMap& map)
 ViewColoring byInstance(const SemanticVoxelMap& map, const VoxelScene& scene)
 {
     ViewColoring coloring{"instances", "Instances", {}, {}, {}};
-    for (const SceneVoxel& v : scene.voxels()) coloring.colors.push_back(instanceColor(v.winner));
-    const auto& axes = scene.mapAxes();
+    const auto palette = instanceColors(map);
+    for (const SceneVoxel& v : scene.voxels()) coloring.colors.push_back(palette.at(v.winner));
     for (const InstanceSummary& s : bySize(map)) {
         coloring.legend.push_back(
-            {instanceColor(s.id),
+            {palette.at(s.id),
              mrpt::format("%u %s %.2f", s.id, s.category().c_str(), s.probability())});
-        const mrpt::math::TPoint3Df c(s.centroid);
-        coloring.labels.push_back(
-            {axes[0] * c.x + axes[1] * c.y + axes[2] * c.z, std::to_string(s.id)});
+        if (s.voxels >= LABELLED)
+            coloring.labels.push_back({scene.toLevel(s.centroid), std::to_string(s.id)});
     }
     coloring.legend.push_back({UNKNOWN_COLOR, UNKNOWN_CATEGORY});
     return coloring;
@@ -62,6 +63,22 @@ ViewColoring byCategory(const SemanticVoxelMap& map, const VoxelScene& scene)
     return coloring;
 }
 
+/** One of the uncertainties of a map's voxels. */
+struct Uncertainty
+{
+    std::string name, title;
+    std::function<double(const VoxelEvidence&)> value;  //!< [nat]
+    std::function<bool(const SceneVoxel&)> isGrey;      //!< nothing can be said of the voxel
+};
+
+std::vector<double> valuesOf(const Uncertainty& uncertainty, const VoxelScene& scene)
+{
+    std::vector<double> values;
+    for (const SceneVoxel& v : scene.voxels())
+        if (!uncertainty.isGrey(v)) values.push_back(uncertainty.value(*v.evidence));
+    return values;
+}
+
 /** Red end of the colour bar: the 99 % quantile of the values, so that strays do not decide. */
 double barMaximum(std::vector<double> values)
 {
@@ -72,21 +89,15 @@ double barMaximum(std::vector<double> values)
     return std::max(LEAST, values[static_cast<size_t>(n)]);
 }
 
-/** \param value of a voxel [nat] \param isGrey voxels that nothing can be said of */
-ViewColoring byUncertainty(const std::string& name, const std::string& title,
-                           const VoxelScene& scene,
-                           const std::function<double(const VoxelEvidence&)>& value,
-                           const std::function<bool(const SceneVoxel&)>& isGrey)
+ViewColoring byUncertainty(const Uncertainty& uncertainty, const VoxelScene& scene,
+                           double barMaximum)
 {
-    ViewColoring coloring{"uncertainty_" + name, title, {}, {}, {}};
-    std::vector<double> values;
-    for (const SceneVoxel& v : scene.voxels())
-        if (!isGrey(v)) values.push_back(value(*v.evidence));
-    coloring.barMaximum = barMaximum(values);
-    size_t next = 0;
+    ViewColoring coloring{"uncertainty_" + uncertainty.name, uncertainty.title, {}, {}, {}};
+    coloring.barMaximum = barMaximum;
     for (const SceneVoxel& v : scene.voxels())
         coloring.colors.push_back(
-            isGrey(v) ? UNKNOWN_COLOR : uncertaintyColor(values[next++] / coloring.barMaximum));
+            uncertainty.isGrey(v) ? UNKNOWN_COLOR
+                                  : uncertaintyColor(uncertainty.value(*v.evidence) / barMaximum));
     coloring.legend.push_back({UNKNOWN_COLOR, "no detection"});
     return coloring;
 }
@@ -94,22 +105,25 @@ ViewColoring byUncertainty(const std::string& name, const std::string& title,
 
 std::vector<ViewColoring> colorings(const SemanticVoxelMap& map, const VoxelScene& scene)
 {
-    VoxelUncertainty uncertainty(map);
+    VoxelUncertainty entropies(map);
     const auto onlyUnknown = [](const SceneVoxel& v) {
         return !v.isObject() && v.evidence->size() <= 1;
     };
     const auto wonByUnknown = [](const SceneVoxel& v) { return !v.isObject(); };
-    return {
-        byInstance(map, scene), byCategory(map, scene),
-        byUncertainty(
-            "instances", "Uncertainty: which instance a voxel belongs to", scene,
-            [&](const VoxelEvidence& e) { return uncertainty.instanceEntropy(e); }, onlyUnknown),
-        byUncertainty(
-            "categories", "Uncertainty: which category an instance is of", scene,
-            [&](const VoxelEvidence& e) { return uncertainty.winnerCategoryEntropy(e); },
-            wonByUnknown),
-        byUncertainty(
-            "semantic", "Uncertainty: which category a voxel is of", scene,
-            [&](const VoxelEvidence& e) { return uncertainty.categoryEntropy(e); }, onlyUnknown)};
+    const std::vector<Uncertainty> uncertainties = {
+        {"instances", "Uncertainty: which instance a voxel belongs to",
+         [&](const VoxelEvidence& e) { return entropies.instanceEntropy(e); }, onlyUnknown},
+        {"categories", "Uncertainty: which category an instance is of",
+         [&](const VoxelEvidence& e) { return entropies.winnerCategoryEntropy(e); }, wonByUnknown},
+        {"semantic", "Uncertainty: which category a voxel is of",
+         [&](const VoxelEvidence& e) { return entropies.categoryEntropy(e); }, onlyUnknown}};
+    // One scale for all, so that the pictures can be compared. The last one is left out: it is
+    // large where few measurements leave all categories open, and would make all others blue.
+    const double maximum = std::max(barMaximum(valuesOf(uncertainties[0], scene)),
+                                    barMaximum(valuesOf(uncertainties[1], scene)));
+
+    std::vector<ViewColoring> all = {byInstance(map, scene), byCategory(map, scene)};
+    for (const Uncertainty& u : uncertainties) all.push_back(byUncertainty(u, scene, maximum));
+    return all;
 }
 }  // namespace voxeland

@@ -26,7 +26,7 @@ struct ViewColoring
     std::string title;
     std::vector<Color> colors;  //!< of VoxelScene::voxels()
     std::vector<Entry> legend;  //!< the most important first
-    std::vector<Label> labels;  //!< to write into the picture
+    std::vector<Label> labels;  //!< to write into the picture, the most important first
     double barMaximum = 0;      //!< value of the colour bar's red end [nat]; 0: no bar
 };
 

@@ -61,12 +61,18 @@ void ViewSheet::drawPicture(const cv::Mat3b& picture)
 
 void ViewSheet::drawLabels(const std::vector<ViewColoring::Label>& labels, const ViewCamera& camera)
 {
+    const int height = scaled(m_unit, 16);
+    std::vector<cv::Rect> written;
     for (const auto& label : labels) {
         const cv::Vec3f at = camera.project(label.position);
-        write(label.text,
-              {static_cast<int>(at[0]) - scaled(m_unit, 5 * static_cast<double>(label.text.size())),
-               static_cast<int>(at[1]) + scaled(m_unit, TITLE + 5)},
-              1, true);
+        const int width = scaled(m_unit, 10 * static_cast<double>(label.text.size()));
+        const cv::Rect place(static_cast<int>(at[0]) - width / 2,
+                             static_cast<int>(at[1]) + scaled(m_unit, TITLE) - height / 2, width,
+                             height);
+        const auto covers = [&](const cv::Rect& other) { return !(place & other).empty(); };
+        if (std::any_of(written.begin(), written.end(), covers)) continue;
+        written.push_back(place);
+        write(label.text, {place.x, place.y + scaled(m_unit, 13)}, 1, true);
     }
 }
 

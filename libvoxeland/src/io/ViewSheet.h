@@ -18,7 +18,8 @@ class ViewSheet
     void drawTitle(const std::string& text);
     /** \param picture of pictureSize(), BGR */
     void drawPicture(const cv::Mat3b& picture);
-    /** Writes labels into the picture at their places. \param camera that made the picture */
+    /** Writes labels into the picture at their places, but those that would cover an earlier one.
+     *  \param camera that made the picture */
     void drawLabels(const std::vector<ViewColoring::Label>& labels, const ViewCamera& camera);
     /** Draws a bar of a round number of metres. \param pixelsPerMetre of the picture */
     void drawScale(float pixelsPerMetre);

@@ -21,26 +21,21 @@ float quantile(std::vector<float>& values, double share)
     return values[static_cast<size_t>(n)];
 }
 
-/** The map's axes seen from a frame that has `up` as its z axis. */
-std::array<cv::Vec3f, 3> levelledAxes(const mrpt::math::TVector3D& up)
+cv::Vec3f toCv(const mrpt::math::TPoint3D& p)
 {
-    const cv::Vec3f z = cv::normalize(
-        cv::Vec3f(static_cast<float>(up.x), static_cast<float>(up.y), static_cast<float>(up.z)));
-    const cv::Vec3f ahead = std::abs(z[0]) < 0.9F ? cv::Vec3f(1, 0, 0) : cv::Vec3f(0, 1, 0);
-    const cv::Vec3f x = cv::normalize(ahead - z * ahead.dot(z));
-    const cv::Vec3f y = z.cross(x);
-    return {cv::Vec3f(x[0], y[0], z[0]), {x[1], y[1], z[1]}, {x[2], y[2], z[2]}};
+    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 }  // namespace
 
-VoxelScene::VoxelScene(const SemanticVoxelMap& map, const mrpt::math::TVector3D& up)
-    : m_resolution(map.resolution()), m_axes(levelledAxes(up))
+VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame)
+    : m_resolution(map.resolution()),
+      m_frame(frame),
+      m_axes({toLevel({1, 0, 0}), toLevel({0, 1, 0}), toLevel({0, 0, 1})})
 {
     std::vector<VoxelCoord> coords;
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
-        const auto p = voxelCenter<mrpt::math::TPoint3Df>(v, m_resolution);
-        m_voxels.push_back(
-            {m_axes[0] * p.x + m_axes[1] * p.y + m_axes[2] * p.z, &evidence, evidence.winner(), 0});
+        const cv::Vec3f center = toLevel(voxelCenter<mrpt::math::TPoint3D>(v, m_resolution));
+        m_voxels.push_back({center, &evidence, evidence.winner(), 0});
         coords.push_back(v);
     });
     if (m_voxels.empty()) return;
@@ -62,6 +57,11 @@ VoxelScene::VoxelScene(const SemanticVoxelMap& map, const mrpt::math::TVector3D&
             if (!covered) m_voxels[i].exposedFaces |= static_cast<uint8_t>(1U << f);
         }
     findBounds();
+}
+
+cv::Vec3f VoxelScene::toLevel(const mrpt::math::TPoint3D& inMap) const
+{
+    return toCv(m_frame.toLevel(inMap));
 }
 
 float VoxelScene::cutHeight() const

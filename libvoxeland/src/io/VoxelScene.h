@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/map/SemanticVoxelMap.h"
+#include "VoxelFaces.h"
+#include "voxeland/io/LevelFrame.h"
 
-#include <mrpt/math/TPoint3D.h>
 #include <opencv2/core.hpp>
 
 #include <array>
@@ -10,14 +10,10 @@
 
 namespace voxeland
 {
-/** The faces of a cube: -x, +x, -y, +y, -z, +z. */
-inline constexpr std::array<VoxelCoord, 6> FACES = {
-    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
-
 /** One voxel to draw. */
 struct SceneVoxel
 {
-    cv::Vec3f center;                         //!< in the levelled frame [m]
+    cv::Vec3f center;                         //!< in the level frame [m]
     const VoxelEvidence* evidence = nullptr;  //!< in the map
     instance_id_t winner = UNKNOWN_INSTANCE;
     uint8_t exposedFaces = 0;  //!< bit i: FACES[i] is not covered by a voxel of the same kind
@@ -25,19 +21,20 @@ struct SceneVoxel
     [[nodiscard]] bool isObject() const { return winner != UNKNOWN_INSTANCE; }
 };
 
-/** The voxels of a map that a picture shows, in a frame whose z axis is up and whose x axis is the
- *  map's as far as that is level. Points into the map, which must outlive it. */
+/** The voxels of a map that a picture shows, in a level frame. Points into the map, which must
+ * outlive it. */
 class VoxelScene
 {
  public:
-    /** \param up in the map's frame, length > 0 */
-    VoxelScene(const SemanticVoxelMap& map, const mrpt::math::TVector3D& up);
+    VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame);
 
     [[nodiscard]] const std::vector<SceneVoxel>& voxels() const { return m_voxels; }
     [[nodiscard]] double resolution() const { return m_resolution; }
-    /** Unit vectors of the map's x, y, z in the levelled frame. */
+    /** Unit vectors of the map's x, y, z in the level frame. */
     [[nodiscard]] const std::array<cv::Vec3f, 3>& mapAxes() const { return m_axes; }
-    /** Box around the voxels but for a few strays, in the levelled frame [m]. */
+    /** A point of the map's frame in the level frame. */
+    [[nodiscard]] cv::Vec3f toLevel(const mrpt::math::TPoint3D& inMap) const;
+    /** Box around the voxels but for a few strays, in the level frame [m]. */
     [[nodiscard]] const cv::Vec3f& min() const { return m_min; }
     [[nodiscard]] const cv::Vec3f& max() const { return m_max; }
 
@@ -47,6 +44,7 @@ class VoxelScene
     void findBounds();
 
     double m_resolution;
+    LevelFrame m_frame;
     std::array<cv::Vec3f, 3> m_axes;
     std::vector<SceneVoxel> m_voxels;
     cv::Vec3f m_min{0, 0, 0}, m_max{1, 1, 1};

@@ -2,17 +2,17 @@
 #include "voxeland/metric_map/CVoxelandMap.h"
 
 #include "voxeland/errors.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/io/Colors.h"
+#include "voxeland/io/LevelFrame.h"
+#include "voxeland/io/MapScene.h"
+#include "voxeland/io/UpDirection.h"
 #include "voxeland/metric_map/MapFile.h"
 
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
-#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include <limits>
 #include <sstream>
 
 using mrpt::obs::CObservation;
@@ -130,26 +130,7 @@ std::string CVoxelandMap::asString() const
 void CVoxelandMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const
 {
     if (!genericMapParams.enableSaveAs3DObject) return;
-    const auto voxels = mrpt::opengl::COctoMapVoxels::Create();
-    voxels->setVisualizationMode(mrpt::opengl::COctoMapVoxels::FIXED);
-    voxels->resizeVoxelSets(1);
-    voxels->showVoxels(0, true);
-    constexpr double INF = std::numeric_limits<double>::infinity();
-    const double half = m_map.resolution() / 2;
-    mrpt::math::TPoint3D least(INF, INF, INF), most(-INF, -INF, -INF);
-    m_map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
-        const auto center = voxelCenter<mrpt::math::TPoint3D>(v, m_map.resolution());
-        const Color c = instanceColor(evidence.winner());
-        voxels->push_back_Voxel(
-            0, {mrpt::math::TPoint3Df(center), static_cast<float>(m_map.resolution()),
-                mrpt::img::TColor(c.red, c.green, c.blue)});
-        for (size_t a = 0; a < 3; ++a) {
-            least[a] = std::min(least[a], center[a] - half);
-            most[a] = std::max(most[a], center[a] + half);
-        }
-    });
-    if (least.x <= most.x) voxels->setBoundingBox(least, most);
-    out.insert(voxels);
+    out.insert(voxelCubes(m_map));
 }
 
 void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) const
@@ -159,13 +140,8 @@ void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) 
     complete.flush();
     saveMap(complete, prefix + ".voxeland");
     if (!genericMapParams.enableSaveAs3DObject) return;
-    mrpt::opengl::COpenGLScene scene;
-    const auto objects = mrpt::opengl::CSetOfObjects::Create();
-    complete.getVisualizationInto(*objects);
-    scene.insert(objects);
-    AtomicFile file(prefix + ".3Dscene");
-    if (!scene.saveToFile(file.part())) file.fail(errno);
-    file.commit();
+    const LevelFrame frame(estimateUp(complete.map()));
+    exportScene(complete.map(), frame, prefix + ".3Dscene");
 }
 
 const mrpt::maps::CSimplePointsMap* CVoxelandMap::getAsSimplePointsMap() const

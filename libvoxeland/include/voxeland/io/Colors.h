@@ -9,6 +9,8 @@
 
 namespace voxeland
 {
+class SemanticVoxelMap;
+
 /** 8-bit colour as exporters write it. */
 struct Color
 {
@@ -24,9 +26,10 @@ struct Color
 /** Light grey: what no detection speaks for. */
 inline constexpr Color UNKNOWN_COLOR{225, 225, 225};
 
-/** Colour of an instance: the same in every export, far from that of neighbouring ids, never grey
- *  except for UNKNOWN_INSTANCE. */
-Color instanceColor(instance_id_t id);
+/** Colours of all instances of a map, the same in every export of it, and UNKNOWN_COLOR for
+ *  UNKNOWN_INSTANCE. They are as different as 60 tones allow; the biggest instances choose first,
+ *  starting from a tone of their id. */
+std::map<instance_id_t, Color> instanceColors(const SemanticVoxelMap& map);
 
 /** Colours of some categories, as different from each other as 60 tones allow. The choice starts
  *  from the name, so that a category nearly always looks the same, whatever else there is. */

@@ -19,10 +19,12 @@ namespace voxeland
  *     "probabilities": {"chair": 0.9, ...},           most probable first, with the prior
  *     "entropy": 0.3, "vacuity": 0, "geometric_entropy": 0.1,
  *     "voxels": 321, "centroid": [x,y,z],
- *     "oriented_box": {"center": [x,y,z], "size": [x,y,z], "yaw": 0.5}}, ...}}
+ *     "oriented_box": {"center": [x,y,z], "size": [length, width, height], "yaw": 0.5,
+ *                      "axes": [[x,y,z], [x,y,z], [x,y,z]]}}, ...}}
  *  \endcode
- *  `bbox`, `results` and `n_observations` are what upstream Voxeland's tools read. `oriented_box`
- *  is turned about z by `yaw` (see OrientedBox). */
+ *  `bbox`, `results` and `n_observations` are what upstream Voxeland's tools read. The
+ *  sides of `oriented_box` go along its `axes`, unit vectors, the last one being up (see
+ * OrientedBox). */
 std::string instancesAsJson(const SemanticVoxelMap& map);
 
 /** Writes instancesAsJson() to a file. \throws OutputError if that fails */

@@ -3,12 +3,13 @@
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <string>
+#include <vector>
 
 namespace voxeland
 {
 /** Writes the voxels as a binary little-endian PLY point cloud, one vertex a voxel:
  *  - `x y z` (float): centre [m], in the map's frame;
- *  - `red green blue` (uchar): instanceColor() of the instance that wins the voxel;
+ *  - `red green blue` (uchar): that of the instance which wins the voxel, see instanceColors();
  *  - `instanceid` (int): that instance, 0 for *unknown*;
  *  - `categoryid` (int): its most probable category, -1 if none; the header names them in lines
  *    `comment category 3 dining table`;
@@ -20,4 +21,11 @@ namespace voxeland
  *  \param occupiedOnly leave out voxels that were measured once but are now believed free
  *  \throws OutputError if the file cannot be written */
 void exportPly(const SemanticVoxelMap& map, const std::string& file, bool occupiedOnly = true);
+
+/** Writes the voxels that each instance wins as a PLY file of its own, named `ID_CATEGORY.ply`,
+ *  and those of *unknown* as `0_unknown.ply`.
+ *  \param folder made if missing
+ *  \return the files written \throws OutputError if one of them cannot be */
+std::vector<std::string> exportPlyPerInstance(const SemanticVoxelMap& map,
+                                              const std::string& folder, bool occupiedOnly = true);
 }  // namespace voxeland

@@ -20,14 +20,16 @@ struct ViewOptions
 
 /** Draws a map as pictures with legends, by software (no display, no GPU). Five colourings
  *  (`instances`, `categories`, `uncertainty_instances`, `uncertainty_categories`,
- *  `uncertainty_semantic`: blue low, red high, up to the 99 % quantile) in two views:
+ *  `uncertainty_semantic`: blue low, red high, all on one scale, up to the larger 99 % quantile of
+ *  the first two) in two views:
  *  - `NAME_top.png`: from above, to scale, the map's x to the right;
  *  - `NAME_perspective.png`: from above one of the corners, that which shows most of the objects.
  *
  *  Occupied voxels are drawn. What no detection speaks for is light grey; where it lies in front of
  *  an object it is translucent, and above 95 % of the objects' voxels it is cut away, so that
- * neither ceiling nor walls hide the room (without any object: above 90 % of the height). \param
- * folder made if missing \return the files written \throws OutputError if one of them cannot be
+ *  neither ceiling nor walls hide the room (without any object: above 90 % of the height).
+ *  \param folder made if missing
+ *  \return the files written \throws OutputError if one of them cannot be
  *  \throws ConfigurationError for options out of range */
 std::vector<std::string> exportViews(const SemanticVoxelMap& map, const std::string& folder,
                                      const ViewOptions& options = ViewOptions());

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/io/LevelFrame.h"
+
+#include <string>
+#include <vector>
+
+namespace voxeland
+{
+/** A level layer of a map as a flat grid, for robots that drive. */
+struct HeightSlice
+{
+    double resolution = 0;         //!< edge of a cell [m]
+    double minX = 0, minY = 0;     //!< corner of the first cell in the level frame [m]
+    size_t columns = 0, rows = 0;  //!< along x and y
+    /** Probability of occupied, rows of increasing y; 0.5: never observed. */
+    std::vector<float> occupancy;
+};
+
+/** Looks through the heights: of the voxels above one another in a cell, the one most likely
+ *  occupied decides. The grid covers everything observed at those heights.
+ *  \param heights finite, in the level frame [m]
+ *  \throws ConfigurationError if nothing was observed there */
+HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
+                    const HeightRange& heights);
+
+/** Writes a slice as an `mrpt::maps::COccupancyGridMap2D`, serialized and compressed (.gridmap, as
+ *  MRPT's programs read it). \throws OutputError if that fails */
+void exportGridmap(const HeightSlice& slice, const std::string& file);
+
+/** The image beside a YAML file of ROS's map_server: the same name, ending in .pgm.
+ *  \throws ConfigurationError unless the name ends in .yaml */
+std::string rosImageOf(const std::string& yamlFile);
+
+/** Writes a slice for ROS's map_server: a YAML file, and its image, rosImageOf().
+ *  Cells likelier occupied than free are black, the others white, those never observed grey.
+ *  \throws ConfigurationError for another ending, OutputError if a file cannot be written */
+void exportRosMap(const HeightSlice& slice, const std::string& yamlFile);
+}  // namespace voxeland

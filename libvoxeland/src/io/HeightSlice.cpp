@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/io/HeightSlice.h"
+
+#include "voxeland/errors.h"
+#include "voxeland/io/AtomicFile.h"
+#include "voxeland/io/GzOutputFile.h"
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+using mrpt::math::TPoint3D;
+
+namespace voxeland
+{
+namespace
+{
+/** Calls f(centre in the level frame) for every observed voxel at those heights. */
+template <typename F>
+void forEachObserved(const SemanticVoxelMap& map, const LevelFrame& frame,
+                     const HeightRange& heights, F&& f)
+{
+    for (const uint32_t b : map.blocks().sorted()) {
+        const MapBlock& block = map.blocks()[b];
+        for (int cell = 0; cell < BLOCK_CELLS; ++cell) {
+            if (block.occupancy(cell) == UNOBSERVED) continue;
+            const VoxelCoord v = voxelAt(map.blocks().coordOf(b), cell);
+            const TPoint3D p = frame.toLevel(voxelCenter<TPoint3D>(v, map.resolution()));
+            if (heights.contains(p.z)) f(p);
+        }
+    }
+}
+
+/** An empty grid around everything observed at those heights, on the raster of the voxels. */
+HeightSlice frameOf(const SemanticVoxelMap& map, const LevelFrame& frame,
+                    const HeightRange& heights)
+{
+    constexpr int NONE = std::numeric_limits<int>::max();
+    const double edge = map.resolution();
+    int left = NONE, right = -NONE, bottom = NONE, top = -NONE;
+    forEachObserved(map, frame, heights, [&](const TPoint3D& p) {
+        const int x = voxelIndex(p.x, 1 / edge), y = voxelIndex(p.y, 1 / edge);
+        left = std::min(left, x);
+        right = std::max(right, x);
+        bottom = std::min(bottom, y);
+        top = std::max(top, y);
+    });
+    if (left == NONE)
+        throw ConfigurationError("nothing was observed at these heights: choose others");
+    HeightSlice slice;
+    slice.resolution = edge;
+    slice.minX = left * edge;
+    slice.minY = bottom * edge;
+    slice.columns = static_cast<size_t>(right - left) + 1;
+    slice.rows = static_cast<size_t>(top - bottom) + 1;
+    return slice;
+}
+
+/** The largest occupancy above a place. */
+float columnOccupancy(const SemanticVoxelMap& map, const LevelFrame& frame,
+                      const HeightRange& heights, double x, double y)
+{
+    const double step = map.resolution() / 2;
+    log_odds_t most = UNOBSERVED;
+    // Between the voxels' borders, where the frame is not tilted.
+    for (double z = (std::ceil(heights.low / step - 0.5) + 0.5) * step; z <= heights.high;
+         z += step)
+        most = std::max(most, map.occupancy(map.voxelOf(frame.toMap({x, y, z}))));
+    return static_cast<float>(OccupancyFilter::probability(most));
+}
+}  // namespace
+
+HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
+                    const HeightRange& heights)
+{
+    HeightSlice slice = frameOf(map, frame, heights);
+    slice.occupancy.reserve(slice.columns * slice.rows);
+    for (size_t row = 0; row < slice.rows; ++row)
+        for (size_t column = 0; column < slice.columns; ++column)
+            slice.occupancy.push_back(
+                columnOccupancy(map, frame, heights,
+                                slice.minX + (static_cast<double>(column) + 0.5) * slice.resolution,
+                                slice.minY + (static_cast<double>(row) + 0.5) * slice.resolution));
+    return slice;
+}
+
+void exportGridmap(const HeightSlice& slice, const std::string& file)
+{
+    const auto columns = static_cast<double>(slice.columns), rows = static_cast<double>(slice.rows);
+    mrpt::maps::COccupancyGridMap2D grid(
+        static_cast<float>(slice.minX), static_cast<float>(slice.minX + columns * slice.resolution),
+        static_cast<float>(slice.minY), static_cast<float>(slice.minY + rows * slice.resolution),
+        static_cast<float>(slice.resolution));
+    for (size_t row = 0; row < slice.rows; ++row)
+        for (size_t column = 0; column < slice.columns; ++column)
+            grid.setCell(static_cast<int>(column), static_cast<int>(row),
+                         1 - slice.occupancy[row * slice.columns + column]);
+    AtomicFile output(file);
+    GzOutputFile stream(output.part());
+    stream.writeObject(grid);
+    stream.close();
+    output.commit();
+}
+
+std::string rosImageOf(const std::string& yamlFile)
+{
+    const fs::path yaml(yamlFile);
+    if (yaml.extension() != ".yaml")
+        throw ConfigurationError("'" + yamlFile + "' must end in .yaml");
+    return fs::path(yaml).replace_extension(".pgm").string();
+}
+
+void exportRosMap(const HeightSlice& slice, const std::string& yamlFile)
+{
+    const std::string image = rosImageOf(yamlFile);
+    writeAtomically(image, [&](std::ostream& out) {
+        out << "P5\n" << slice.columns << " " << slice.rows << "\n255\n";
+        for (size_t row = slice.rows; row-- > 0;)
+            for (size_t column = 0; column < slice.columns; ++column) {
+                constexpr unsigned char OCCUPIED = 0, FREE = 254, UNKNOWN = 205;
+                const float p = slice.occupancy[row * slice.columns + column];
+                out.put(static_cast<char>(p > 0.5F ? OCCUPIED : p < 0.5F ? FREE : UNKNOWN));
+            }
+    });
+    writeAtomically(yamlFile, [&](std::ostream& out) {
+        out << "image: " << fs::path(image).filename().string()
+            << "\nresolution: " << slice.resolution << "\norigin: [" << slice.minX << ", "
+            << slice.minY << ", 0.0]"
+            << "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+    });
+}
+}  // namespace voxeland

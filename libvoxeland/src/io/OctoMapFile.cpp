@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/io/OctoMapFile.h"
+
+#include "voxeland/errors.h"
+#include "voxeland/io/AtomicFile.h"
+
+#include <filesystem>
+#include <octomap/OcTree.h>
+
+namespace voxeland
+{
+namespace
+{
+/** OctoMap numbers its voxels from 0; its voxel of this number starts at the origin, as our 0. */
+constexpr int ORIGIN = 32768;
+
+octomap::key_type keyOf(int32_t coordinate)
+{
+    if (coordinate < -ORIGIN || coordinate >= ORIGIN)
+        throw ConfigurationError(
+            "the map reaches farther from its origin than an OctoMap can: "
+            "use a coarser resolution");
+    return static_cast<octomap::key_type>(coordinate + ORIGIN);
+}
+
+octomap::OcTree octreeOf(const SemanticVoxelMap& map)
+{
+    octomap::OcTree tree(map.resolution());
+    tree.setClampingThresMin(map.options().occupancy.prob_min);
+    tree.setClampingThresMax(map.options().occupancy.prob_max);
+    for (const uint32_t b : map.blocks().sorted()) {
+        const MapBlock& block = map.blocks()[b];
+        for (int cell = 0; cell < BLOCK_CELLS; ++cell) {
+            const log_odds_t occupancy = block.occupancy(cell);
+            if (occupancy == UNOBSERVED) continue;
+            const VoxelCoord v = voxelAt(map.blocks().coordOf(b), cell);
+            const float logOdds = octomap::logodds(OccupancyFilter::probability(occupancy));
+            tree.setNodeValue(octomap::OcTreeKey(keyOf(v.x), keyOf(v.y), keyOf(v.z)), logOdds,
+                              true);
+        }
+    }
+    tree.updateInnerOccupancy();
+    tree.prune();
+    return tree;
+}
+
+/** As tree.writeBinary() does, which in Debian's build also prints on the standard error. */
+void writeBinary(const octomap::OcTree& tree, std::ostream& out)
+{
+    out << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size()
+        << "\nres " << tree.getResolution() << "\ndata\n";
+    tree.writeBinaryData(out);
+}
+}  // namespace
+
+void exportOctoMap(const SemanticVoxelMap& map, const std::string& file)
+{
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (ending != ".bt" && ending != ".ot")
+        throw ConfigurationError("'" + file +
+                                 "' must end in .bt (free or occupied) or .ot (probabilities)");
+    const octomap::OcTree tree = octreeOf(map);
+    writeAtomically(file, [&](std::ostream& out) {
+        if (ending == ".bt")
+            writeBinary(tree, out);
+        else
+            tree.write(out);
+    });
+}
+}  // namespace voxeland

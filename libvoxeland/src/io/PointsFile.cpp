@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/io/PointsFile.h"
+
+#include "voxeland/errors.h"
+#include "voxeland/io/AtomicFile.h"
+#include "voxeland/io/GzOutputFile.h"
+#include "voxeland/map/MapQueries.h"
+
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/system/string_utils.h>
+
+#include <cerrno>
+#include <filesystem>
+
+using mrpt::maps::CSimplePointsMap;
+using mrpt::system::lowerCase;
+
+namespace voxeland
+{
+namespace
+{
+/** Instances whose category is wanted, UNKNOWN_INSTANCE possibly among them. */
+std::set<instance_id_t> wantedInstances(const SemanticVoxelMap& map, const PointsFilter& filter)
+{
+    std::set<std::string> names;
+    for (const std::string& name : filter.categories) names.insert(lowerCase(name));
+    std::set<instance_id_t> wanted;
+    const auto consider = [&](instance_id_t id, const std::string& category) {
+        if (names.empty() || names.count(lowerCase(category)) > 0) wanted.insert(id);
+    };
+    consider(UNKNOWN_INSTANCE, UNKNOWN_CATEGORY);
+    for (const InstanceSummary& s : summarizeInstances(map)) consider(s.id, s.category());
+    return wanted;
+}
+
+CSimplePointsMap pointsOf(const SemanticVoxelMap& map, const PointsFilter& filter)
+{
+    const std::set<instance_id_t> wanted = wantedInstances(map, filter);
+    CSimplePointsMap points;
+    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
+        const auto p = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
+        if (wanted.count(evidence.winner()) > 0 &&
+            filter.heights.contains(filter.frame.toLevel(p).z))
+            points.insertPoint(p);
+    });
+    return points;
+}
+
+void writeSerialized(const CSimplePointsMap& points, const std::string& part)
+{
+    GzOutputFile stream(part);
+    stream.writeObject(points);
+    stream.close();
+}
+
+bool writeScene(const CSimplePointsMap& points, const std::string& part)
+{
+    mrpt::opengl::COpenGLScene scene;
+    scene.insert(points.getVisualization());
+    return scene.saveToFile(part);
+}
+}  // namespace
+
+size_t exportPoints(const SemanticVoxelMap& map, const PointsFilter& filter,
+                    const std::string& file)
+{
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (ending != ".txt" && ending != ".metricmap" && ending != ".3Dscene")
+        throw ConfigurationError("'" + file + "' must end in .txt, .metricmap or .3Dscene");
+    const CSimplePointsMap points = pointsOf(map, filter);
+    AtomicFile output(file);
+    if (ending == ".metricmap")
+        writeSerialized(points, output.part());
+    else if (!(ending == ".txt" ? points.save3D_to_text_file(output.part())
+                                : writeScene(points, output.part())))
+        output.fail(errno);
+    output.commit();
+    return points.size();
+}
+}  // namespace voxeland

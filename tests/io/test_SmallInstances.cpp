@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TinyMap.h"
+#include "voxeland/io/SmallInstances.h"
+#include "voxeland/map/MapQueries.h"
+
+#include <gtest/gtest.h>
+
+using namespace voxeland;
+
+TEST(SmallInstances, becomeUnknown)
+{
+    SemanticVoxelMap map = test::tinyMap();
+    test::addVoxel(map, {0, 1, 0}, {{1, 5}});
+    dropSmallInstances(map, 2);  // the cup wins one voxel only
+    ASSERT_EQ(summarizeInstances(map).size(), 1U);
+    EXPECT_EQ(summarizeInstances(map)[0].id, 1U);
+    EXPECT_EQ(map.evidence({1, 0, 0})->winner(), UNKNOWN_INSTANCE);
+    dropSmallInstances(map, 2);
+    EXPECT_EQ(map.instances().size(), 1U);
+}
