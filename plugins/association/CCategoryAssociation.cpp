@@ -21,7 +21,7 @@ std::vector<Assignment> CCategoryAssociation::associate(
     std::map<Category, instance_id_t> instanceOf;
     if (!opinions.empty())
         for (const auto& [id, instance] : map.instances())
-            instanceOf.try_emplace(instance.categories.top(), id);
+            instanceOf.try_emplace(instance.evidence().top(), id);
 
     std::vector<Assignment> assignments;
     std::map<Category, uint32_t> newInstanceOf;

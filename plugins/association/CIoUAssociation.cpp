@@ -36,7 +36,7 @@ std::vector<Assignment> CIoUAssociation::associate(const std::vector<OpinionOver
         best.newInstance = static_cast<uint32_t>(assignments.size());
         double bestIoU = m_tauIoU;
         for (const Overlap& candidate : o.candidates) {
-            const CategoryEvidence& known = map.instance(candidate.instance).categories;
+            const CategoryEvidence known = map.instance(candidate.instance).evidence();
             if (m_sameCategory && !haveSameTopCategory(known, o.categories)) continue;
             const bool better = best.instance == UNKNOWN_INSTANCE ? candidate.iou() >= bestIoU
                                                                   : candidate.iou() > bestIoU;
@@ -53,8 +53,8 @@ bool CIoUAssociation::mayMerge(const InstanceOverlap& overlap, const MergeThresh
                                const SemanticVoxelMap& map) const
 {
     if (!(overlap.iou() > thresholds.iou)) return false;
-    return !m_sameCategory || haveSameTopCategory(map.instance(overlap.a).categories,
-                                                  map.instance(overlap.b).categories);
+    return !m_sameCategory || haveSameTopCategory(map.instance(overlap.a).evidence(),
+                                                  map.instance(overlap.b).evidence());
 }
 }  // namespace voxeland
 

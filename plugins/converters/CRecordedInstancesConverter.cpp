@@ -30,7 +30,8 @@ std::vector<Opinion> CRecordedInstancesConverter::convert(const RgbdFrame& frame
         if (!usable || p.categories.empty()) continue;
         auto points = mainCluster(voxels, p.mask, m_clustering);
         if (!points.empty())
-            opinions.push_back({std::move(points), p.categories, p.score, p.track});
+            opinions.push_back(
+                {std::move(points), p.categories, p.score, p.track, regionOf(p.mask)});
     }
     return opinions;
 }

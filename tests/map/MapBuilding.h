@@ -50,14 +50,24 @@ inline void changeAtRandom(SemanticVoxelMap& map, std::mt19937& random)
         Instance& i = map.createInstance();
         i.categories.add(map.categories().add("category" + std::to_string(kind(random) % 7)), 0.5);
         i.observations = 1;
+        InstanceView view;
+        view.frame = static_cast<uint32_t>(kind(random));
+        view.area = view.frame + 1;
+        view.score = view.probability = 0.5F;
+        view.target.x = static_cast<float>(place(random));
+        i.views.add(i.categories.entries().front().category, view, map.options().views);
+        Decision decision;
+        decision.evidence = 0.75;
+        decision.answer = "none of them";
+        i.decisions.push_back(decision);
     } else if (what < 94 && map.instances().size() >= 2) {
         const instance_id_t a = anyInstance(map, random), b = anyInstance(map, random);
-        if (a != b) map.merge(a, b);
+        if (a != b) map.merge(a, b, 7);
     } else if (what < 98 && !map.instances().empty()) {
         const instance_id_t id = anyInstance(map, random);
         auto part = voxelsOf(map, id);
         part.resize(part.size() / 3);
-        map.split(id, part, 0.25);
+        map.split(id, part, 0.25, 7);
     } else if (!map.instances().empty()) {
         map.drop(anyInstance(map, random));
     }

@@ -161,3 +161,36 @@ TEST(MapQueries, InstancesWithoutCategoriesAreUnknown)
     VoxelUncertainty uncertainty(map);
     EXPECT_EQ(uncertainty.categories(*map.evidence({0, 0, 0})), std::vector<double>{1});
 }
+
+TEST(MapQueries, DecisionsAreOpinionsToo)
+{
+    auto map = smallMap();
+    Decision decision;
+    decision.category = 2;
+    decision.evidence = 4;
+    map.instance(1).decisions.push_back(decision);
+    const auto ranked = categoryDistribution(map, map.instance(1));
+    ASSERT_EQ(ranked.size(), 2u);
+    EXPECT_EQ(ranked[0].name, "sofa");
+    EXPECT_DOUBLE_EQ(ranked[0].probability, 5.0 / 8);
+    const double expected = harmonic(8) - (3 * harmonic(3) + 5 * harmonic(5)) / 8;
+    EXPECT_NEAR(categoryEntropy(map, map.instance(1)), expected, 1e-10);
+    EXPECT_DOUBLE_EQ(map.instance(1).categories.total(), 4) << "what detectors said stays";
+}
+
+TEST(MapQueries, ADecisionForUnknownIsAShareOfUnknown)
+{
+    auto map = smallMap(EntropyMeasure::expected, 2);  // 0.5 each of 4
+    Decision decision;
+    decision.evidence = 6;
+    map.instance(1).decisions.push_back(decision);
+    const auto ranked = categoryDistribution(map, map.instance(1));
+    ASSERT_EQ(ranked.size(), 5u);
+    EXPECT_EQ(ranked[0].name, UNKNOWN_CATEGORY);
+    EXPECT_EQ(ranked[0].category, UNKNOWN_CATEGORY_ID);
+    EXPECT_DOUBLE_EQ(ranked[0].probability, 6.0 / 12);
+    EXPECT_EQ(summarizeInstances(map)[0].category(), UNKNOWN_CATEGORY);
+    VoxelUncertainty uncertainty(map);
+    // Instance 1 alone: its share of unknown is that of the voxel.
+    EXPECT_DOUBLE_EQ(uncertainty.categories(*map.evidence({-1, 0, 0})).back(), 6.0 / 12);
+}

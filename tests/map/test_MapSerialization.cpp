@@ -95,6 +95,10 @@ TEST(MapSerialization, ReadsBackWhatWasWritten)
         EXPECT_EQ(read.instance(id).tracks, instance.tracks);
         EXPECT_EQ(read.instance(id).blocks, instance.blocks);
         EXPECT_EQ(read.instance(id).categories.total(), instance.categories.total());
+        EXPECT_EQ(read.instance(id).evidence().total(), instance.evidence().total());
+        EXPECT_EQ(read.instance(id).views.byCategory().size(), instance.views.byCategory().size());
+        EXPECT_EQ(read.instance(id).history.size(), instance.history.size());
+        EXPECT_EQ(read.instance(id).decisions.size(), instance.decisions.size());
     }
     for (instance_id_t id = 1; id < 400; ++id) EXPECT_EQ(read.resolve(id), map.resolve(id));
 }

@@ -89,11 +89,11 @@ TEST(SemanticVoxelMap, MergingSplittingAndDroppingConserveEvidence)
         added += static_cast<double>(alpha);
     }
     EXPECT_EQ(evidenceInVoxels(map), added);
-    map.merge(2, 5);
+    map.merge(2, 5, 0);
     auto part = voxelsOf(map, 2);
     part.resize(part.size() / 2);
-    const instance_id_t half = map.split(2, part, 0.25).id;
-    map.merge(half, 1);
+    const instance_id_t half = map.split(2, part, 0.25, 0).id;
+    map.merge(half, 1, 0);
     map.drop(3);
     EXPECT_EQ(evidenceInVoxels(map), added);
     expectConsistent(map);
@@ -118,7 +118,7 @@ TEST(SemanticVoxelMap, MergeKeepsTheHistoryOfBoth)
     map.addEvidence({0, 0, 0}, a, 2);
     map.addEvidence({0, 0, 0}, b, 3);
     map.addEvidence({-20, 0, 0}, b, 4);
-    map.merge(a, b);
+    map.merge(a, b, 0);
 
     const Instance& merged = map.instance(a);
     EXPECT_EQ(merged.observations, 5u);
@@ -129,16 +129,16 @@ TEST(SemanticVoxelMap, MergeKeepsTheHistoryOfBoth)
     EXPECT_EQ(map.evidence({0, 0, 0})->alphaOf(a), 5);
     EXPECT_EQ(map.evidence({-20, 0, 0})->alphaOf(a), 4);
     EXPECT_THROW(static_cast<void>(map.instance(b)), std::out_of_range);
-    EXPECT_THROW(map.merge(a, a), std::invalid_argument);
+    EXPECT_THROW(map.merge(a, a, 0), std::invalid_argument);
 }
 
 TEST(SemanticVoxelMap, OldIdsResolveThroughChainsOfMerges)
 {
     SemanticVoxelMap map;
     for (int i = 0; i < 5; ++i) map.createInstance();
-    map.merge(2, 1);
-    map.merge(3, 2);
-    map.merge(5, 3);
+    map.merge(2, 1, 0);
+    map.merge(3, 2, 0);
+    map.merge(5, 3, 0);
     EXPECT_EQ(map.resolve(1), 5u);
     EXPECT_EQ(map.resolve(2), 5u);
     EXPECT_EQ(map.resolve(4), 4u);

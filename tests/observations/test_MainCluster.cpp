@@ -87,3 +87,17 @@ TEST(MainCluster, MasksWithFewPointsMakeNoOpinion)
     EXPECT_EQ(pointsOf(mainCluster(frame, test::rectangleMask(0, 0, 20, 1), options)), 20);
     EXPECT_TRUE(mainCluster(frame, test::rectangleMask(0, 0, 0, 0), options).empty());
 }
+
+TEST(RegionOf, TheBoxTheAreaAndWhetherTheBorderIsReached)
+{
+    const ImageRegion inside = regionOf(test::rectangleMask(10, 20, 15, 40));
+    EXPECT_EQ(inside.box, (PixelBox{10, 20, 5, 20}));
+    EXPECT_EQ(inside.area, 100U);
+    EXPECT_FALSE(inside.truncated);
+    constexpr int C = test::COLUMNS, R = test::ROWS;
+    EXPECT_TRUE(regionOf(test::rectangleMask(0, 20, 15, 40)).truncated);
+    EXPECT_TRUE(regionOf(test::rectangleMask(10, 0, 15, 40)).truncated);
+    EXPECT_TRUE(regionOf(test::rectangleMask(10, 20, C, 40)).truncated);
+    EXPECT_TRUE(regionOf(test::rectangleMask(10, 20, 15, R)).truncated);
+    EXPECT_FALSE(regionOf(test::rectangleMask(1, 1, C - 1, R - 1)).truncated);
+}

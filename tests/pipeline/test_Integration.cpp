@@ -162,3 +162,38 @@ TEST(ResolveAssignments, NewInstancesOfOneNumberAreOne)
     EXPECT_EQ(ids, (std::vector<instance_id_t>{2, known, 3, 2}));
     EXPECT_EQ(map.instances().size(), 3u);
 }
+
+TEST(RecordViews, EachOpinionIsAViewOfItsLikeliestCategory)
+{
+    SemanticVoxelMap map;
+    const category_id_t chair = map.categories().add("chair"), sofa = map.categories().add("sofa");
+    auto frame = wallFrame();
+    frame.time = mrpt::Clock::fromDouble(7);
+    const uint32_t hit = hitWith(frame, 4);
+    frame.opinions = {opinion(hit, 4, 0.5F), opinion(hit, 4, 0.5F)};
+    frame.opinions[0].region = {{3, 4, 20, 10}, 150, true};
+    std::vector<OpinionOverlaps> overlaps(2);
+    for (size_t i = 0; i < 2; ++i) {
+        overlaps[i].opinion = &frame.opinions[i];
+        overlaps[i].categories.add(chair, 0.25);
+        overlaps[i].categories.add(sofa, 0.75);
+    }
+    const instance_id_t shown = map.createInstance().id, hidden = map.createInstance().id;
+    recordViews(frame, overlaps, {shown, hidden}, 12, map);
+
+    ASSERT_EQ(map.instance(shown).views.byCategory().size(), 1U);
+    const auto& views = map.instance(shown).views.of(sofa);
+    ASSERT_EQ(views.size(), 1U);
+    EXPECT_EQ(views[0].frame, 12U);
+    EXPECT_EQ(views[0].time, mrpt::Clock::fromDouble(7));
+    EXPECT_EQ(views[0].box, (PixelBox{3, 4, 20, 10}));
+    EXPECT_EQ(views[0].area, 150U);
+    EXPECT_TRUE(views[0].truncated);
+    EXPECT_EQ(views[0].score, 0.5F);
+    EXPECT_EQ(views[0].probability, 0.75F);
+    const auto& seen = frame.voxels.hits()[hit].centroid;
+    EXPECT_EQ(views[0].camera, mrpt::math::TPoint3Df(frame.voxels.origin()));
+    EXPECT_NEAR(views[0].target.x, seen.x, 1e-6);
+    EXPECT_NEAR(views[0].target.y, seen.y, 1e-6);
+    EXPECT_TRUE(map.instance(hidden).views.byCategory().empty()) << "its region is not known";
+}

@@ -13,7 +13,7 @@ namespace
 /** Evidence by category name, the strongest first. */
 json_t evidenceAsJson(const SemanticVoxelMap& map, const Instance& instance)
 {
-    auto entries = instance.categories.entries();
+    auto entries = instance.evidence().entries();
     std::stable_sort(entries.begin(), entries.end(),
                      [](const auto& a, const auto& b) { return a.beta > b.beta; });
     json_t json = json_t::object();

@@ -14,6 +14,12 @@ category_id_t CategoryTable::add(const std::string& name)
     return at->second;
 }
 
+const std::string& CategoryTable::name(category_id_t id) const
+{
+    static const std::string unknown = UNKNOWN_CATEGORY;
+    return id == UNKNOWN_CATEGORY_ID ? unknown : m_names.at(id);
+}
+
 double CategoryEvidence::total() const
 {
     double sum = 0;

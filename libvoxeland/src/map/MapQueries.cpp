@@ -8,13 +8,15 @@ namespace voxeland
 {
 namespace
 {
-/** beta_l plus the prior W/K, indexed by category id. */
+/** beta_l plus the prior W/K, indexed by category id; *unknown* is the last, and has no prior. */
 std::vector<double> concentration(const SemanticVoxelMap& map, const Instance& instance)
 {
     const size_t known = map.categories().size();
     const double prior = known == 0 ? 0 : map.options().prior_strength / static_cast<double>(known);
     std::vector<double> beta(known, prior);
-    for (const auto& e : instance.categories.entries()) beta[e.category] += e.beta;
+    beta.push_back(0);
+    const CategoryEvidence evidence = instance.evidence();
+    for (const auto& e : evidence.entries()) beta[std::min<size_t>(e.category, known)] += e.beta;
     return beta;
 }
 
@@ -38,8 +40,11 @@ std::vector<RankedCategory> categoryDistribution(const SemanticVoxelMap& map,
     double total = 0;
     for (const double b : beta) total += b;
     std::vector<RankedCategory> ranked;
-    for (category_id_t c = 0; c < beta.size(); ++c)
-        if (beta[c] > 0) ranked.push_back({c, map.categories().name(c), beta[c] / total});
+    for (size_t i = 0; i < beta.size(); ++i) {
+        const bool known = i < map.categories().size();
+        const category_id_t c = known ? static_cast<category_id_t>(i) : UNKNOWN_CATEGORY_ID;
+        if (beta[i] > 0) ranked.push_back({c, map.categories().name(c), beta[i] / total});
+    }
     std::sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
         return a.probability != b.probability ? a.probability > b.probability : a.name < b.name;
     });
@@ -54,7 +59,7 @@ double categoryEntropy(const SemanticVoxelMap& map, const Instance& instance)
 double categoryVacuity(const SemanticVoxelMap& map, const Instance& instance)
 {
     const double prior = map.options().prior_strength;
-    return prior > 0 ? vacuity(prior, instance.categories.total()) : 0;
+    return prior > 0 ? vacuity(prior, instance.evidence().total()) : 0;
 }
 
 double winnerProbability(const VoxelEvidence& evidence)
@@ -119,7 +124,9 @@ const std::vector<double>& VoxelUncertainty::categories(const VoxelEvidence& evi
         if (at == m_distributions.end() || at->second.empty())
             m_categories.back() += pInstance;
         else
-            for (const auto& c : at->second) m_categories[c.category] += c.probability * pInstance;
+            for (const auto& c : at->second)
+                m_categories[std::min<size_t>(c.category, m_map.categories().size())] +=
+                    c.probability * pInstance;
     }
     return m_categories;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "InstanceSerialization.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/serialization/stl_serialization.h>
 
-#include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 using mrpt::serialization::CArchive;
@@ -14,27 +13,13 @@ namespace voxeland
 {
 namespace
 {
-constexpr uint8_t VERSION = 0;
-
-void write(CArchive& out, const VoxelCoord& c)
-{
-    out << c.x << c.y << c.z;
-}
-
-VoxelCoord readCoord(CArchive& in)
-{
-    VoxelCoord c;
-    in >> c.x >> c.y >> c.z;
-    const auto fits = [](int32_t i) { return std::abs(i) <= MAX_VOXEL_COORD / BLOCK_SIDE; };
-    if (!fits(c.x) || !fits(c.y) || !fits(c.z))
-        throw std::runtime_error("corrupt map: a block too far away");
-    return c;
-}
+constexpr uint8_t VERSION = 1;
 
 void write(CArchive& out, const MapOptions& o)
 {
     out << o.resolution << o.membership << o.occupancy.prob_hit << o.occupancy.prob_miss
-        << o.occupancy.prob_min << o.occupancy.prob_max << o.prior_strength << toString(o.entropy);
+        << o.occupancy.prob_min << o.occupancy.prob_max << o.prior_strength << toString(o.entropy)
+        << o.views.perCategory << o.views.categories;
 }
 
 MapOptions readOptions(CArchive& in)
@@ -42,42 +27,10 @@ MapOptions readOptions(CArchive& in)
     MapOptions o;
     std::string entropy;
     in >> o.resolution >> o.membership >> o.occupancy.prob_hit >> o.occupancy.prob_miss >>
-        o.occupancy.prob_min >> o.occupancy.prob_max >> o.prior_strength >> entropy;
+        o.occupancy.prob_min >> o.occupancy.prob_max >> o.prior_strength >> entropy >>
+        o.views.perCategory >> o.views.categories;
     o.entropy = entropyMeasureFromString(entropy);
     return o;
-}
-
-void write(CArchive& out, const Instance& i)
-{
-    out << i.id << i.observations << i.firstFrame << i.lastFrame << i.tracks;
-    out << static_cast<uint32_t>(i.categories.entries().size());
-    for (const auto& e : i.categories.entries()) out << e.category << e.beta;
-    out << static_cast<uint32_t>(i.blocks.size());
-    for (const auto& b : i.blocks) write(out, b);
-}
-
-/** Refuses evidence that no mapping could have given. */
-template <typename Number>
-Number readEvidence(CArchive& in)
-{
-    const auto evidence = in.ReadAs<Number>();
-    if (!(evidence > 0) || !std::isfinite(evidence))
-        throw std::runtime_error("corrupt map: evidence of " + std::to_string(evidence));
-    return evidence;
-}
-
-Instance readInstance(CArchive& in, const CategoryTable& categories)
-{
-    Instance i;
-    in >> i.id >> i.observations >> i.firstFrame >> i.lastFrame >> i.tracks;
-    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
-        const auto category = in.ReadAs<category_id_t>();
-        if (category >= categories.size())
-            throw std::runtime_error("corrupt map: evidence for a category it lacks");
-        i.categories.add(category, readEvidence<double>(in));
-    }
-    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) i.blocks.insert(readCoord(in));
-    return i;
 }
 
 void write(CArchive& out, const VoxelCoord& coord, const MapBlock& block)
@@ -108,7 +61,7 @@ void SemanticVoxelMap::readFrom(CArchive& in)
     const auto version = in.ReadAs<uint8_t>();
     if (version != VERSION)
         throw std::runtime_error("map format version " + std::to_string(version) +
-                                 " is not known: it was written by a newer Voxeland");
+                                 " is not known: it was written by another Voxeland");
     SemanticVoxelMap read(readOptions(in));
     std::vector<std::string> names;
     in >> names >> read.m_nextInstance >> read.m_absorbed;
@@ -117,14 +70,14 @@ void SemanticVoxelMap::readFrom(CArchive& in)
             throw std::runtime_error("corrupt map: an impossible merge");
     for (const auto& name : names) read.m_categories.add(name);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
-        Instance i = readInstance(in, read.m_categories);
+        Instance i = readInstance(in, read.m_categories, read.m_options.views);
         const instance_id_t id = i.id;
         if (id == UNKNOWN_INSTANCE || id >= read.m_nextInstance ||
             !read.m_instances.emplace(id, std::move(i)).second)
             throw std::runtime_error("corrupt map: an instance numbered " + std::to_string(id));
     }
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
-        const VoxelCoord coord = readCoord(in);
+        const VoxelCoord coord = readBlockCoord(in);
         MapBlock& block = read.m_blocks.at(coord);
         for (int cell = 0; cell < BLOCK_CELLS; ++cell)
             block.setOccupancy(cell, in.ReadAs<log_odds_t>());

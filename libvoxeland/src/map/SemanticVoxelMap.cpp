@@ -2,11 +2,40 @@
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 
 namespace voxeland
 {
+namespace
+{
+/** Adds an event, and forgets the oldest one of many. */
+void remember(std::vector<InstanceEvent>& history, const InstanceEvent& event)
+{
+    constexpr size_t MOST = 64;
+    history.push_back(event);
+    if (history.size() > MOST) history.erase(history.begin());
+}
+
+/** What decisions about an instance say about a part of it. \param share in [0,1] */
+std::vector<Decision> scaled(std::vector<Decision> decisions, double share)
+{
+    if (!(share > 0)) return {};
+    for (Decision& d : decisions) d.evidence *= share;
+    return decisions;
+}
+
+/** Square of the distance to the nearest of some points [m^2]. */
+float squaredDistance(const mrpt::math::TPoint3Df& from,
+                      const std::vector<mrpt::math::TPoint3Df>& points)
+{
+    float least = std::numeric_limits<float>::infinity();
+    for (const auto& p : points) least = std::min(least, (p - from).sqrNorm());
+    return least;
+}
+}  // namespace
+
 SemanticVoxelMap::SemanticVoxelMap(const MapOptions& options)
     : m_options(options), m_filter(options.occupancy)
 {
@@ -96,7 +125,7 @@ void SemanticVoxelMap::moveEvidence(MapBlock& block, const VoxelCoord& blockCoor
     if (to != UNKNOWN_INSTANCE) m_instances.at(to).blocks.insert(blockCoord);
 }
 
-void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed)
+void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed, uint32_t frame)
 {
     if (survivor == absorbed) throw std::invalid_argument("an instance cannot absorb itself");
     Instance& from = m_instances.at(absorbed);
@@ -112,13 +141,19 @@ void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed)
         to.firstFrame = std::min(to.firstFrame, from.firstFrame);
         to.lastFrame = std::max(to.lastFrame, from.lastFrame);
         to.tracks.insert(from.tracks.begin(), from.tracks.end());
+        to.views.add(from.views, m_options.views);
+        to.decisions.insert(to.decisions.end(), from.decisions.begin(), from.decisions.end());
+        for (const InstanceEvent& event : from.history) remember(to.history, event);
+        std::stable_sort(to.history.begin(), to.history.end(),
+                         [](const auto& a, const auto& b) { return a.frame < b.frame; });
+        remember(to.history, {InstanceEvent::Kind::merged, frame, survivor, absorbed});
     }
     m_instances.erase(absorbed);
     m_absorbed[absorbed] = survivor;
 }
 
 Instance& SemanticVoxelMap::split(instance_id_t from, const std::vector<VoxelCoord>& voxels,
-                                  double categoryShare)
+                                  double categoryShare, uint32_t frame)
 {
     Instance& part = createInstance();
     Instance& whole = m_instances.at(from);
@@ -131,12 +166,35 @@ Instance& SemanticVoxelMap::split(instance_id_t from, const std::vector<VoxelCoo
     part.observations = whole.observations;
     part.firstFrame = whole.firstFrame;
     part.lastFrame = whole.lastFrame;
+    part.decisions = scaled(whole.decisions, categoryShare);
+    whole.decisions = scaled(whole.decisions, 1 - categoryShare);
+    const auto ofPart = centersOf(part), ofWhole = centersOf(whole);
+    whole.views.moveTo(
+        part.views,
+        [&](const InstanceView& v) {
+            return squaredDistance(v.target, ofPart) < squaredDistance(v.target, ofWhole);
+        },
+        m_options.views);
+    remember(whole.history, {InstanceEvent::Kind::divided, frame, from, part.id});
+    part.history = whole.history;
     return part;
 }
 
 void SemanticVoxelMap::drop(instance_id_t id)
 {
-    merge(UNKNOWN_INSTANCE, id);
+    merge(UNKNOWN_INSTANCE, id, 0);
+}
+
+std::vector<mrpt::math::TPoint3Df> SemanticVoxelMap::centersOf(const Instance& instance) const
+{
+    std::vector<mrpt::math::TPoint3Df> centers;
+    for (const VoxelCoord& b : instance.blocks)
+        m_blocks.find(b)->forEachSurface([&](int cell, const VoxelEvidence& evidence) {
+            if (evidence.alphaOf(instance.id) > 0)
+                centers.push_back(
+                    voxelCenter<mrpt::math::TPoint3Df>(voxelAt(b, cell), m_options.resolution));
+        });
+    return centers;
 }
 
 double SemanticVoxelMap::Memory::bytesPerFreeVoxel() const

@@ -52,6 +52,17 @@ double pointsOfFacingSurface(const VoxelizedFrame& frame, const WeightedCell& ce
 }
 }  // namespace
 
+ImageRegion regionOf(const RunLengthMask& mask)
+{
+    ImageRegion region;
+    region.box = mask.boundingBox();
+    region.area = static_cast<uint32_t>(mask.area());
+    const PixelBox& b = region.box;
+    region.truncated =
+        b.x == 0 || b.y == 0 || b.x + b.width == mask.width() || b.y + b.height == mask.height();
+    return region;
+}
+
 std::vector<OpinionVoxel> mainCluster(const VoxelizedFrame& frame, const RunLengthMask& mask,
                                       const ClusteringOptions& options)
 {

@@ -26,6 +26,19 @@ CategoryEvidence sharpened(const CategoryEvidence& distribution, double exponent
         result.add(e.category, std::pow(e.beta, exponent) / sum);
     return result;
 }
+
+/** Middle of an opinion's points [m]. */
+mrpt::math::TPoint3D middleOf(const Opinion& opinion, const std::vector<HitVoxel>& hits)
+{
+    mrpt::math::TPoint3D sum;
+    double points = 0;
+    for (const OpinionVoxel& v : opinion.voxels) {
+        const auto n = static_cast<double>(v.points);
+        sum += hits[v.hit].centroid * n;
+        points += n;
+    }
+    return sum * (1 / points);
+}
 }  // namespace
 
 void integrateOccupancy(const ObservedSpace& space, SemanticVoxelMap& map)
@@ -101,6 +114,28 @@ void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
         instance.lastFrame = frameNumber;
         ++instance.observations;
         if (opinion.track != InstancePrediction::NO_TRACK) instance.tracks.insert(opinion.track);
+    }
+}
+
+void recordViews(const PreparedFrame& frame, const std::vector<OpinionOverlaps>& opinions,
+                 const std::vector<instance_id_t>& instances, uint32_t frameNumber,
+                 SemanticVoxelMap& map)
+{
+    for (size_t i = 0; i < opinions.size(); ++i) {
+        const Opinion& opinion = *opinions[i].opinion;
+        const auto category = opinions[i].categories.top();
+        if (opinion.region.area == 0 || !category) continue;
+        InstanceView view;
+        view.frame = frameNumber;
+        view.time = frame.time;
+        view.box = opinion.region.box;
+        view.area = opinion.region.area;
+        view.truncated = opinion.region.truncated;
+        view.score = opinion.confidence;
+        view.probability = static_cast<float>(opinions[i].categories.betaOf(*category));
+        view.camera = mrpt::math::TPoint3Df(frame.voxels.origin());
+        view.target = mrpt::math::TPoint3Df(middleOf(opinion, frame.voxels.hits()));
+        map.instance(instances[i]).views.add(*category, view, map.options().views);
     }
 }
 }  // namespace voxeland

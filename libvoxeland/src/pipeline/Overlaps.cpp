@@ -55,7 +55,7 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
             o.instanceVoxels = instance.voxels;
             o.visibleVoxels = m_visible.of(id);
             o.mappedVoxels = mapped;
-            o.similarity = semanticSimilarity(overlaps.categories, instance.categories);
+            o.similarity = semanticSimilarity(overlaps.categories, instance.evidence());
             overlaps.candidates.push_back(o);
         }
         result.push_back(std::move(overlaps));

@@ -63,7 +63,7 @@ double evidenceFor(const SemanticVoxelMap& map, instance_id_t id,
 
 /** Gives every sizeable part but the largest to a new instance. \return how many there were */
 uint32_t divide(SemanticVoxelMap& map, instance_id_t id, const RefinementOptions& options,
-                MappingTrace* trace)
+                uint32_t frame, MappingTrace* trace)
 {
     const std::vector<WeightedCell> won = wonVoxels(map, id, options);
     const auto parts = partsOf(won, options.dbscan_eps);
@@ -75,7 +75,7 @@ uint32_t divide(SemanticVoxelMap& map, instance_id_t id, const RefinementOptions
     std::vector<instance_id_t> owners = {id};
     for (size_t p = 1; p < parts.size() && parts[p].size() >= sizeable; ++p) {
         const double part = evidenceFor(map, id, parts[p]);
-        owners.push_back(map.split(id, parts[p], part / total).id);
+        owners.push_back(map.split(id, parts[p], part / total, frame).id);
         total -= part;
     }
     if (trace != nullptr && parts.size() > 1) trace->division(parts, sizeable, owners);
@@ -109,7 +109,7 @@ std::vector<InstanceOverlap> overlapsOf(const SemanticVoxelMap& map,
         const Instance& a = map.instance(pair.first);
         const Instance& b = map.instance(pair.second);
         overlaps.push_back({a.id, b.id, intersection, a.voxels, b.voxels,
-                            semanticSimilarity(a.categories, b.categories)});
+                            semanticSimilarity(a.evidence(), b.evidence())});
     }
     std::stable_sort(overlaps.begin(), overlaps.end(),
                      [](const auto& a, const auto& b) { return a.ios() > b.ios(); });
@@ -151,9 +151,10 @@ void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
             const RefinementOptions& options, uint32_t sinceFrame, MappingCounts& counts,
             MappingTrace* trace)
 {
+    const uint32_t frame = counts.frames > 0 ? counts.frames - 1 : 0;  // the last one mapped
     if (options.split)
         for (const instance_id_t id : instancesSeenSince(map, sinceFrame))
-            counts.splits += divide(map, id, options, trace);
+            counts.splits += divide(map, id, options, frame, trace);
 
     std::set<instance_id_t> merged;
     for (const InstanceOverlap& overlap : overlapsOf(map, instancesSeenSince(map, sinceFrame))) {
@@ -161,7 +162,7 @@ void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
         if (trace != nullptr) trace->pair(overlap, decision, options.continuity);
         if (decision != MergeDecision::merged) continue;
         const bool keepA = overlap.voxelsA >= overlap.voxelsB;
-        map.merge(keepA ? overlap.a : overlap.b, keepA ? overlap.b : overlap.a);
+        map.merge(keepA ? overlap.a : overlap.b, keepA ? overlap.b : overlap.a, frame);
         merged.insert({overlap.a, overlap.b});
         ++counts.merges;
     }

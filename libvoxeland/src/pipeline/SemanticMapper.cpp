@@ -69,8 +69,12 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
         const StageTimer timer(times, Stage::rays);
         return castRays(voxels, m_config.integration.visibility_margin);
     }();
-    return {std::move(voxels), std::move(opinions), std::move(space), frame.instances != nullptr,
-            times};
+    return {std::move(voxels),
+            std::move(opinions),
+            std::move(space),
+            frame.instances != nullptr,
+            times,
+            frame.scan->timestamp};
 }
 
 StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
@@ -91,6 +95,7 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
         integrateOccupancy(frame.space, map);
         integrateGeometry(frame, instances, m_config.integration.unknown_weight, map);
         integrateSemantics(opinions, instances, counts.frames, m_config.integration.sharpness, map);
+        recordViews(frame, opinions, instances, counts.frames, map);
     }
     ++counts.frames;
     counts.framesWithoutPredictions += frame.hasPredictions ? 0 : 1;

@@ -11,14 +11,20 @@ namespace voxeland
 /** Number of a category name within one map, from 0 in order of appearance. */
 using category_id_t = uint32_t;
 
+/** Name given to what no category speaks for. */
+inline constexpr const char* UNKNOWN_CATEGORY = "unknown";
+/** Its number in every map: it is in no table, and no detector's opinion is for it. */
+inline constexpr category_id_t UNKNOWN_CATEGORY_ID = 0xFFFFFFFF;
+
 /** Category names a map has met: an open set, extended whenever a new one comes. */
 class CategoryTable
 {
  public:
     /** Number of a name, added if new. */
     category_id_t add(const std::string& name);
-    /** Name of a number; throws std::out_of_range for one that was never given. */
-    [[nodiscard]] const std::string& name(category_id_t id) const { return m_names.at(id); }
+    /** Name of a number, UNKNOWN_CATEGORY_ID included; throws std::out_of_range for one that was
+     * never given. */
+    [[nodiscard]] const std::string& name(category_id_t id) const;
     [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
     [[nodiscard]] size_t size() const { return m_names.size(); }
 

@@ -9,9 +9,6 @@
 
 namespace voxeland
 {
-/** Name given to what no category speaks for. */
-inline constexpr const char* UNKNOWN_CATEGORY = "unknown";
-
 /** One category with its probability. */
 struct RankedCategory
 {

@@ -26,6 +26,7 @@ struct MapOptions
                //!< speaks for instances there, in [0,1]; 0: a single vote does
     double prior_strength = 2;  //!< W: W/K is added to each of K known categories
     EntropyMeasure entropy = EntropyMeasure::expected;  //!< the measure used by queries
+    ViewLimits views;                                   //!< how many views an instance keeps
 };
 
 /** The probabilistic, instance-aware semantic voxel map (paper, "Map Representation"): occupancy
@@ -39,9 +40,9 @@ class SemanticVoxelMap
     explicit SemanticVoxelMap(const MapOptions& options = MapOptions());
 
     [[nodiscard]] const MapOptions& options() const { return m_options; }
-    /** Changes the options that only queries use (prior, entropy), and all of them while the map is
-     * empty. \throws std::invalid_argument for options out of range, or another resolution or
-     * occupancy model than the map was built with */
+    /** Changes the options that only queries use (prior, entropy) and how many views are kept from
+     * now on, and all of them while the map is empty. \throws std::invalid_argument for options out
+     * of range, or another resolution or occupancy model than the map was built with */
     void setOptions(const MapOptions& options);
     [[nodiscard]] double resolution() const { return m_options.resolution; }
     [[nodiscard]] const OccupancyFilter& occupancyFilter() const { return m_filter; }
@@ -104,13 +105,15 @@ class SemanticVoxelMap
     /** A new instance without evidence. Ids are never reused. */
     Instance& createInstance();
     /** Gives all of `absorbed`'s evidence to `survivor`; the absorbed id resolves to the survivor
-     *  from then on. Cost: the blocks of the absorbed instance. */
-    void merge(instance_id_t survivor, instance_id_t absorbed);
+     *  from then on. Cost: the blocks of the absorbed instance. \param frame after which it happens
+     */
+    void merge(instance_id_t survivor, instance_id_t absorbed, uint32_t frame);
     /** Makes a new instance of some voxels of an instance: their evidence for it moves, and the
-     *  share `categoryShare` in [0,1] of its category evidence.
+     *  share `categoryShare` in [0,1] of its category evidence. A view goes to the part that is
+     *  nearer to what it looked at. \param frame after which it happens
      *  \return the new instance */
-    Instance& split(instance_id_t from, const std::vector<VoxelCoord>& voxels,
-                    double categoryShare);
+    Instance& split(instance_id_t from, const std::vector<VoxelCoord>& voxels, double categoryShare,
+                    uint32_t frame);
     /** Gives all of an instance's evidence to *unknown* and forgets it. */
     void drop(instance_id_t id);
     /** @} */
@@ -148,6 +151,8 @@ class SemanticVoxelMap
     /** Moves an instance's evidence in one voxel. */
     void moveEvidence(MapBlock& block, const VoxelCoord& blockCoord, int cell, instance_id_t from,
                       instance_id_t to);
+    /** Centres of all voxels with evidence for an instance [m]. */
+    [[nodiscard]] std::vector<mrpt::math::TPoint3Df> centersOf(const Instance& instance) const;
 
     MapOptions m_options;
     OccupancyFilter m_filter;

@@ -15,6 +15,17 @@ struct OpinionVoxel
     float points = 0;  //!< number of the opinion's 3D points in it, > 0
 };
 
+/** The part of an image that an opinion was made from. */
+struct ImageRegion
+{
+    PixelBox box;            //!< in the colour image [pixels]
+    uint32_t area = 0;       //!< pixels of the object; 0: not known
+    bool truncated = false;  //!< whether the object reaches the border of the image
+};
+
+/** The region a mask covers. */
+ImageRegion regionOf(const RunLengthMask& mask);
+
 /** A subjective opinion about one object (paper, "Making Subjective Opinions"). */
 struct Opinion
 {
@@ -22,6 +33,7 @@ struct Opinion
     CategoryDistribution categories;   //!< semantic level: what it is
     float confidence = 0;              //!< xi: weight of the semantic opinion, in (0,1]
     int64_t track = InstancePrediction::NO_TRACK;  //!< detector's identity of the object, if any
+    ImageRegion region{};  //!< where the image shows it, for those who look at it later
 };
 
 /** How the points of a mask are cleaned: density clustering on a coarse grid, of which the main

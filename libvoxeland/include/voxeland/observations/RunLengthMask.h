@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/grid/PixelBox.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace voxeland
 {
-/** Rectangle of whole pixels: columns [x, x+width), rows [y, y+height). */
-struct PixelBox
-{
-    int32_t x = 0, y = 0, width = 0, height = 0;
-};
-
 /** Binary image stored as the lengths of its runs in row-major order: alternately unset and set
  *  pixels, unset first (that run may be empty). Immutable; a mask of 640x480 takes about 1 kB. */
 class RunLengthMask

@@ -30,4 +30,10 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
 void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
                         const std::vector<instance_id_t>& instances, uint32_t frameNumber,
                         double sharpness, SemanticVoxelMap& map);
+
+/** Remembers how the frame's image showed the instances, each view under the category its opinion
+ * gave most probability to. Opinions that do not say where the image shows them have no view. */
+void recordViews(const PreparedFrame& frame, const std::vector<OpinionOverlaps>& opinions,
+                 const std::vector<instance_id_t>& instances, uint32_t frameNumber,
+                 SemanticVoxelMap& map);
 }  // namespace voxeland

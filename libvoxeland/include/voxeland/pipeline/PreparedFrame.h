@@ -4,6 +4,8 @@
 #include "voxeland/observations/Opinion.h"
 #include "voxeland/pipeline/StageTimes.h"
 
+#include <mrpt/core/Clock.h>
+
 #include <vector>
 
 namespace voxeland
@@ -16,5 +18,6 @@ struct PreparedFrame
     ObservedSpace space;
     bool hasPredictions = false;  //!< whether the rawlog had predictions for the frame
     StageTimes times;
+    mrpt::Clock::time_point time{};  //!< timestamp of the frame
 };
 }  // namespace voxeland

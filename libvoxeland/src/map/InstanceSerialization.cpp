@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InstanceSerialization.h"
+
+#include <mrpt/serialization/stl_serialization.h>
+
+#include <cstdlib>
+
+using mrpt::serialization::CArchive;
+
+namespace voxeland
+{
+namespace
+{
+void write(CArchive& out, const mrpt::math::TPoint3Df& p)
+{
+    out << p.x << p.y << p.z;
+}
+
+mrpt::math::TPoint3Df readPoint(CArchive& in)
+{
+    mrpt::math::TPoint3Df p;
+    in >> p.x >> p.y >> p.z;
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        throw std::runtime_error("corrupt map: a view from nowhere");
+    return p;
+}
+
+void write(CArchive& out, const InstanceView& v)
+{
+    out << v.frame << v.time << v.box.x << v.box.y << v.box.width << v.box.height << v.area
+        << v.truncated << v.score << v.probability;
+    write(out, v.camera);
+    write(out, v.target);
+}
+
+InstanceView readView(CArchive& in)
+{
+    InstanceView v;
+    in >> v.frame >> v.time >> v.box.x >> v.box.y >> v.box.width >> v.box.height >> v.area >>
+        v.truncated >> v.score >> v.probability;
+    v.camera = readPoint(in);
+    v.target = readPoint(in);
+    if (!(v.quality() >= 0 && std::isfinite(v.quality())))
+        throw std::runtime_error("corrupt map: a view with impossible numbers");
+    return v;
+}
+
+void write(CArchive& out, const InstanceEvent& e)
+{
+    out << static_cast<uint8_t>(e.kind) << e.frame << e.instance << e.other;
+}
+
+InstanceEvent readEvent(CArchive& in)
+{
+    InstanceEvent e;
+    const auto kind = in.ReadAs<uint8_t>();
+    if (kind > static_cast<uint8_t>(InstanceEvent::Kind::divided))
+        throw std::runtime_error("corrupt map: an event of no known kind");
+    e.kind = static_cast<InstanceEvent::Kind>(kind);
+    in >> e.frame >> e.instance >> e.other;
+    return e;
+}
+
+void write(CArchive& out, const Decision& d)
+{
+    out << d.category << d.evidence << d.source << d.model << d.answer << d.time << d.seconds
+        << d.promptTokens << d.answerTokens << d.cost << d.questions;
+}
+
+void checkCategory(category_id_t category, const CategoryTable& categories)
+{
+    if (category >= categories.size())
+        throw std::runtime_error("corrupt map: evidence for a category it lacks");
+}
+
+Decision readDecision(CArchive& in, const CategoryTable& categories)
+{
+    Decision d;
+    in >> d.category;
+    if (d.category != UNKNOWN_CATEGORY_ID) checkCategory(d.category, categories);
+    d.evidence = readEvidence<double>(in);
+    in >> d.source >> d.model >> d.answer >> d.time >> d.seconds >> d.promptTokens >>
+        d.answerTokens >> d.cost >> d.questions;
+    return d;
+}
+
+template <typename Items>
+void writeAll(CArchive& out, const Items& items)
+{
+    out << static_cast<uint32_t>(items.size());
+    for (const auto& item : items) write(out, item);
+}
+}  // namespace
+
+void write(CArchive& out, const VoxelCoord& c)
+{
+    out << c.x << c.y << c.z;
+}
+
+VoxelCoord readBlockCoord(CArchive& in)
+{
+    VoxelCoord c;
+    in >> c.x >> c.y >> c.z;
+    const auto fits = [](int32_t i) { return std::abs(i) <= MAX_VOXEL_COORD / BLOCK_SIDE; };
+    if (!fits(c.x) || !fits(c.y) || !fits(c.z))
+        throw std::runtime_error("corrupt map: a block too far away");
+    return c;
+}
+
+void write(CArchive& out, const Instance& i)
+{
+    out << i.id << i.observations << i.firstFrame << i.lastFrame << i.tracks;
+    out << static_cast<uint32_t>(i.categories.entries().size());
+    for (const auto& e : i.categories.entries()) out << e.category << e.beta;
+    writeAll(out, i.blocks);
+    out << static_cast<uint32_t>(i.views.byCategory().size());
+    for (const auto& [category, views] : i.views.byCategory()) {
+        out << category;
+        writeAll(out, views);
+    }
+    writeAll(out, i.history);
+    writeAll(out, i.decisions);
+}
+
+Instance readInstance(CArchive& in, const CategoryTable& categories, const ViewLimits& limits)
+{
+    Instance i;
+    in >> i.id >> i.observations >> i.firstFrame >> i.lastFrame >> i.tracks;
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
+        const auto category = in.ReadAs<category_id_t>();
+        checkCategory(category, categories);
+        i.categories.add(category, readEvidence<double>(in));
+    }
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) i.blocks.insert(readBlockCoord(in));
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
+        const auto category = in.ReadAs<category_id_t>();
+        checkCategory(category, categories);
+        for (auto views = in.ReadAs<uint32_t>(); views > 0; --views)
+            i.views.add(category, readView(in), limits);
+    }
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) i.history.push_back(readEvent(in));
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n)
+        i.decisions.push_back(readDecision(in, categories));
+    return i;
+}
+}  // namespace voxeland

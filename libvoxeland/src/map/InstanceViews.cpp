@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/map/InstanceViews.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace voxeland
+{
+namespace
+{
+using Views = std::vector<InstanceView>;
+
+bool isBetter(const InstanceView& a, const InstanceView& b)
+{
+    const auto key = [](const InstanceView& v) {
+        return std::tuple(-v.quality(), v.frame, v.box.x, v.box.y, v.box.width, v.box.height,
+                          -v.probability);
+    };
+    return key(a) < key(b);
+}
+
+/** Number of the sector a view's direction lies in. */
+int sectorOf(const InstanceView& view)
+{
+    const auto direction = view.direction();
+    const auto step = [](float x) { return static_cast<int>(std::lround(2 * x)) + 2; };
+    return (step(direction.x) * 5 + step(direction.y)) * 5 + step(direction.z);
+}
+
+/** Sorts views by their rank within their sector, then by quality, and keeps the first ones. */
+void keepBest(Views& views, size_t most)
+{
+    std::sort(views.begin(), views.end(), isBetter);
+    std::map<int, size_t> met;
+    std::vector<std::pair<size_t, size_t>> order;  // rank within the sector, place by quality
+    for (size_t i = 0; i < views.size(); ++i) order.emplace_back(met[sectorOf(views[i])]++, i);
+    std::sort(order.begin(), order.end());
+    Views kept;
+    for (size_t i = 0; i < std::min(most, order.size()); ++i)
+        kept.push_back(views[order[i].second]);
+    views = std::move(kept);
+}
+
+/** Forgets the categories with the poorest best view. */
+void keepBestCategories(InstanceViews::ByCategory& views, size_t most)
+{
+    while (views.size() > most)
+        views.erase(std::max_element(views.begin(), views.end(), [](const auto& a, const auto& b) {
+            return isBetter(a.second.front(), b.second.front());
+        }));
+}
+}  // namespace
+
+mrpt::math::TPoint3Df InstanceView::direction() const
+{
+    const auto ray = target - camera;
+    const float length = ray.norm();
+    return length > 0 ? ray * (1 / length) : mrpt::math::TPoint3Df(0, 0, 1);
+}
+
+float InstanceView::quality() const
+{
+    const float size = std::sqrt(static_cast<float>(area));
+    return size * score * probability * (truncated ? 0.5F : 1.0F);
+}
+
+const Views& InstanceViews::of(category_id_t category) const
+{
+    static const Views none;
+    const auto at = m_views.find(category);
+    return at == m_views.end() ? none : at->second;
+}
+
+void InstanceViews::add(category_id_t category, const InstanceView& view, const ViewLimits& limits)
+{
+    if (limits.perCategory == 0 || limits.categories == 0) return;
+    Views& views = m_views[category];
+    views.push_back(view);
+    keepBest(views, limits.perCategory);
+    keepBestCategories(m_views, limits.categories);
+}
+
+void InstanceViews::add(const InstanceViews& other, const ViewLimits& limits)
+{
+    for (const auto& [category, views] : other.m_views)
+        for (const InstanceView& view : views) add(category, view, limits);
+}
+
+void InstanceViews::moveTo(InstanceViews& other,
+                           const std::function<bool(const InstanceView&)>& belongs,
+                           const ViewLimits& limits)
+{
+    for (auto& [category, views] : m_views) {
+        const auto moved = std::stable_partition(
+            views.begin(), views.end(), [&](const InstanceView& v) { return !belongs(v); });
+        for (auto view = moved; view != views.end(); ++view) other.add(category, *view, limits);
+        views.erase(moved, views.end());
+    }
+    for (auto at = m_views.begin(); at != m_views.end();)
+        at = at->second.empty() ? m_views.erase(at) : std::next(at);
+}
+}  // namespace voxeland
