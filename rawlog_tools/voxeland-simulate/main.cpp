@@ -54,6 +54,10 @@ class Arguments
           m_tracks("", "tracks",
                    "true: predictions carry the object's true identity as track id (default false)",
                    false, "false", "true|false", parser),
+          m_painted("", "paint",
+                    "Every object has the colour of its category, so that a program can tell from "
+                    "an image what it shows",
+                    parser),
           m_embed("", "embed", "Predictions inside the rawlog instead of a sidecar", parser),
           m_images("", "images",
                    "external (default): images in a folder beside the rawlog; embedded: inside it",
@@ -68,6 +72,7 @@ class Arguments
         SimulationOptions o;
         o.seed = m_seed.getValue();
         o.scene.rooms = m_rooms.getValue();
+        o.scene.painted = m_painted.getValue();
         o.camera.frames = m_frames.getValue();
         o.camera.width = m_width.getValue();
         o.camera.height = m_height.getValue();
@@ -110,7 +115,7 @@ class Arguments
     TCLAP::ValueArg<int> m_width, m_height;
     TCLAP::SwitchArg m_exactDepth, m_drift;
     TCLAP::ValueArg<std::string> m_tracks;
-    TCLAP::SwitchArg m_embed;
+    TCLAP::SwitchArg m_painted, m_embed;
     TCLAP::ValueArg<std::string> m_images;
     TCLAP::ValueArg<unsigned> m_threads;
 };

@@ -3,6 +3,7 @@
 
 #include "FloorPlan.h"
 #include "FurnitureGroup.h"
+#include "voxeland/simulation/CategoryPaint.h"
 
 #include <algorithm>
 #include <optional>
@@ -145,6 +146,9 @@ Scene makeApartment(const SceneOptions& options, Random random)
     for (int i = 0; i < options.rooms; ++i)
         furnish(scene, plans[static_cast<size_t>(i)],
                 furnitureOf(i, options.rooms, options, random), options.unknownPerRoom, random);
+    if (options.painted)
+        for (const SceneObject& object : scene.objects())
+            scene.paint(object.id, paintOf(object.category));
     return scene;
 }
 }  // namespace voxeland::simulation

@@ -25,6 +25,12 @@ void Scene::addSolid(const Solid& solid, ObjectId object)
     if (object != STRUCTURE) m_objects[object - 1U].bounds.include(solid.bounds());
 }
 
+void Scene::paint(ObjectId object, const Colour& colour)
+{
+    for (Part& part : m_parts)
+        if (part.object == object) part.solid.setAppearance({colour, Texture::Plain, 0});
+}
+
 std::vector<ObjectId> Scene::touching(ObjectId id) const
 {
     constexpr float GAP = 0.03F;

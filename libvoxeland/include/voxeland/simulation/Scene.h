@@ -42,6 +42,8 @@ class Scene
     ObjectId addObject(const std::string& category, ObjectId standsOn = STRUCTURE);
     /** Adds a solid to an object's body, or to the structure. */
     void addSolid(const Solid& solid, ObjectId object = STRUCTURE);
+    /** Gives all of an object's body one colour. */
+    void paint(ObjectId object, const Colour& colour);
     void addRoom(const Room& room) { m_rooms.push_back(room); }
 
     [[nodiscard]] const std::vector<Part>& parts() const { return m_parts; }

@@ -14,6 +14,7 @@ struct SceneOptions
     float pairProbability = 0.6F;  //!< of a second sofa, or table, touching the first one
     float clutterPerTable = 5.0F;  //!< mean number of things standing on a table
     float unknownPerRoom = 3.0F;   //!< mean number of objects the detector has no word for
+    bool painted = false;          //!< objects have the colour of their category (CategoryPaint.h)
 };
 
 /** The camera and the hand that carries it. */

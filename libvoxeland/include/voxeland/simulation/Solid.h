@@ -53,6 +53,7 @@ class Solid
     [[nodiscard]] Shape shape() const { return m_shape; }
     [[nodiscard]] const Vector3& halfSize() const { return m_halfSize; }
     [[nodiscard]] const Appearance& appearance() const { return m_appearance; }
+    void setAppearance(const Appearance& appearance) { m_appearance = appearance; }
     /** Axis-aligned box around it, in the world. */
     [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
 

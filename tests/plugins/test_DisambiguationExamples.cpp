@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** The INIs that are shipped for disambiguation. */
+#include "support/TestFiles.h"
+#include "voxeland/errors.h"
+#include "voxeland/plugins/CDisambiguator.h"
+#include "voxeland/plugins/Ini.h"
+#include "voxeland/plugins/PluginLoader.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+
+using namespace voxeland;
+
+namespace
+{
+constexpr auto SECTION = "disambiguation";
+
+/** A shipped INI with the back-end it names, its keys loaded. */
+struct Example
+{
+    explicit Example(const std::string& file)
+        : ini(Ini::fromFile(std::string(VOXELAND_CONFIG_FOLDER) + "/" + file)),
+          library(ini.value(SECTION, "plugin")),
+          className(ini.value(SECTION, "class"))
+    {
+        loadPlugin(library, pluginSearchPath());
+        backend = createPlugin<CDisambiguator>(className);
+        options.add("plugin", library, "Plugin library; empty: the class is already loaded");
+        options.add("class", className, backend->description());
+        backend->declareOptions(options);
+        std::vector<std::string> problems;
+        options.load(ini, SECTION, problems);
+        EXPECT_TRUE(problems.empty()) << file << ": " << problems.front();
+    }
+
+    Ini ini;
+    std::string library, className;
+    OptionList options;
+    std::shared_ptr<CDisambiguator> backend;
+};
+}  // namespace
+
+TEST(DisambiguationExamples, theLocalModelNeedsNoKey)
+{
+    EXPECT_NO_THROW(Example("disambiguate-local.ini").backend->start());
+}
+
+TEST(DisambiguationExamples, openAiWantsTheUsualVariable)
+{
+    const Example example("disambiguate-openai.ini");
+    unsetenv("OPENAI_API_KEY");
+    EXPECT_THROW(example.backend->start(), ConfigurationError);
+    setenv("OPENAI_API_KEY", "none", 1);
+    EXPECT_NO_THROW(example.backend->start());
+}
+
+TEST(DisambiguationExamples, theOneForOpenAiListsAllKeys)
+{
+    std::ostringstream printed;
+    Example("disambiguate-openai.ini").options.print(printed, SECTION);
+    const std::string file =
+        test::readFile(std::string(VOXELAND_CONFIG_FOLDER) + "/disambiguate-openai.ini");
+    EXPECT_EQ(file.substr(file.find("\n[") + 1), printed.str()) << "renew it with these lines";
+}
+
+TEST(DisambiguationExamples, personAndRecordAreReplays)
+{
+    for (const char* file : {"disambiguate-person.ini", "disambiguate-record.ini"})
+        EXPECT_EQ(Example(file).className, "CReplayDisambiguator");
+}
