@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The back-end that asks a server, against a real one (tests/vision_server). */
 #include "Backend.h"
+#include "support/RunProgram.h"
 #include "support/TestFiles.h"
 #include "support/VisionServer.h"
 #include "voxeland/errors.h"
@@ -291,6 +292,30 @@ TEST_F(ChatCompletions, aServerThatIsDown)
     expectError(errorOf(askingAt(url)), true, "check base_url");
     expectError(errorOf(askingAt("http://no-such-host.invalid/v1", "send_key_unencrypted = yes\n")),
                 true, "check base_url");
+}
+
+TEST_F(ChatCompletions, onlyATrustedServerIsAskedOverHttps)
+{
+    const auto secure = [this](const std::string& subject) {
+        const auto made = test::runProgram(
+            "openssl", {"req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj",
+                        "/CN=test", "-addext", "subjectAltName=" + subject, "-keyout",
+                        m_kept.file("key.pem"), "-out", m_kept.file("certificate.pem")});
+        EXPECT_EQ(made.exitCode, 0) << made.errors;
+        return std::make_unique<test::ServerProcess>(
+            std::vector<std::string>{"python3", VOXELAND_TLS_FRONT, m_kept.file("certificate.pem"),
+                                     m_kept.file("key.pem"), m_server.port()});
+    };
+    const std::string trust = "ca_file = " + m_kept.file("certificate.pem") + "\n";
+    const auto other = secure("DNS:example.org");
+    const std::string otherUrl = "https://127.0.0.1:" + other->port() + "/v1";
+    expectError(errorOf(askingAt(otherUrl, trust)), true, "check base_url");
+    const auto server = secure("IP:127.0.0.1");
+    const std::string url = "https://127.0.0.1:" + server->port() + "/v1";
+    expectError(errorOf(askingAt(url)), true, "certificate");
+    EXPECT_EQ(requests(), 0U);
+    EXPECT_NO_THROW(answerOf(askingAt(url, trust)));
+    EXPECT_EQ(requests(), 1U);
 }
 
 TEST_F(ChatCompletions, severalFailuresInARowEndTheRun)
