@@ -2,16 +2,22 @@
 /** Makes a rawlog from a public RGB-D dataset. */
 #include "common/CommandLine.h"
 #include "common/Progress.h"
+#include "voxeland/datasets/CalibrationCheck.h"
 #include "voxeland/datasets/DatasetImport.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/RawlogFiles.h"
+#include "voxeland/joined.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <locale>
 #include <map>
 #include <optional>
+#include <sstream>
 
 using namespace voxeland;
 namespace fs = std::filesystem;
@@ -21,20 +27,164 @@ namespace
 const char* const DESCRIPTION =
     R"(Makes an MRPT rawlog from a public RGB-D dataset, with a detector's predictions if there are any.
 
-  rgbd2rawlog --format 7scenes --input redkitchen --output k.rawlog
-  rgbd2rawlog --format 7scenes --input redkitchen/seq-01 --predictions coco.json --output k.rawlog
   rgbd2rawlog --format 7scenes --input redkitchen --check
+  rgbd2rawlog --format 7scenes --input redkitchen --predictions coco.json --output k.rawlog
+  rgbd2rawlog --format tum --input rgbd_dataset_freiburg1_room --output room.rawlog
+  rgbd2rawlog --format scannet --input scene0027_00 --predictions gt --output s.rawlog
+  rgbd2rawlog --format scenenn --input 011 --every 2 --predictions coco.json --output 011.rawlog
+  rgbd2rawlog --format replica --input Replica/office0 --output office0.rawlog
 
 Beside k.rawlog, which any MRPT program reads, it writes the images to k_Images (--images embedded:
 into the rawlog) and the predictions to k.instances.rawlog (--embed: into the rawlog, which then
 needs programs that load libvoxeland). Frames with a missing file or without a valid pose are left
-out and listed.)";
+out and listed.
 
-std::string joined(const std::vector<std::string>& words)
+--check lays a sample of the frames into one another instead, and tells whether depth scale,
+intrinsics and poses hold together, or what fits better. It ends with 0 if nothing speaks against
+them, 3 if something does, 4 if nothing can be compared.)";
+
+/** The program's command line. */
+struct Arguments : apps::CommandLine
 {
-    std::string text;
-    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
+    Arguments() : CommandLine(DESCRIPTION) {}
+
+    TCLAP::ValueArg<int64_t> last{"",
+                                  "to",
+                                  "Last frame to take, by number (default: the last)",
+                                  false,
+                                  std::numeric_limits<int64_t>::max(),
+                                  "N",
+                                  parser()};
+    TCLAP::ValueArg<int64_t> first{
+        "", "from", "First frame to take, by number (default: 0)", false, 0, "N", parser()};
+    TCLAP::ValueArg<size_t> every{
+        "", "every", "Take every so-manieth frame only (default: 1)", false, 1, "N", parser()};
+    TCLAP::SwitchArg invertPoses{"", "invert-poses",
+                                 "The dataset's poses are world-to-camera transforms", parser()};
+    TCLAP::ValueArg<double> depthScale{
+        "",
+        "depth-scale",
+        "Numbers in the depth images that make a metre (default: the format's)",
+        false,
+        0,
+        "N",
+        parser()};
+    TCLAP::ValueArg<std::string> intrinsics{
+        "",
+        "intrinsics",
+        "Camera of the depth images, and of colour images registered to them [pixels] (default: "
+        "the dataset's)",
+        false,
+        "",
+        "FX,FY,CX,CY",
+        parser()};
+    TCLAP::SwitchArg check{
+        "", "check", "Tell whether depth scale, intrinsics and poses hold together; write nothing",
+        parser()};
+    TCLAP::ValueArg<std::string> images{
+        "",      "images", "Where images go: external (default), embedded", false, "external",
+        "WHERE", parser()};
+    TCLAP::SwitchArg embed{"", "embed", "Put the predictions into the rawlog", parser()};
+    TCLAP::ValueArg<std::string> categories{
+        "",
+        "categories",
+        "Names of the categories the predictions give numbers of: JSON as COCO has, or CSV lines "
+        "'id,name' (default: COCO's 91)",
+        false,
+        "",
+        "FILE",
+        parser()};
+    TCLAP::ValueArg<std::string> predictions{
+        "",
+        "predictions",
+        "A detector's predictions in the COCO results format, image_id being the frame number; or "
+        "gt: the dataset's own annotation, with its objects as tracks (scannet, scenenn)",
+        false,
+        "",
+        "FILE.json|gt",
+        parser()};
+    TCLAP::ValueArg<std::string> output{"o", "output",      "Rawlog to write", false,
+                                        "",  "FILE.rawlog", parser()};
+    TCLAP::ValueArg<std::string> input{
+        "i",   "input", "Folder of the dataset (scannet: or a .sens file)", true, "",
+        "DIR", parser()};
+    TCLAP::ValueArg<std::string> format{
+        "f",    "format", "Format of the dataset: " + joined(datasetFormats(), ", "), true, "",
+        "NAME", parser()};
+
+    bool wantsAnnotation() { return predictions.getValue() == "gt"; }
+};
+
+void checkArguments(Arguments& arguments)
+{
+    const std::string& images = arguments.images.getValue();
+    if (images != "external" && images != "embedded")
+        throw ConfigurationError("--images must be external or embedded, not " + images);
+    if (arguments.output.isSet() == arguments.check.isSet())
+        throw ConfigurationError("give one of --output and --check (see --help)");
+    if (arguments.categories.isSet() &&
+        (!arguments.predictions.isSet() || arguments.wantsAnnotation()))
+        throw ConfigurationError("--categories needs --predictions with a file");
+    if (arguments.depthScale.isSet() &&
+        !(arguments.depthScale.getValue() > 0 && std::isfinite(arguments.depthScale.getValue())))
+        throw ConfigurationError("--depth-scale must be positive");
+}
+
+PinholeCamera parseIntrinsics(const std::string& text)
+{
+    std::istringstream in(text);
+    in.imbue(std::locale::classic());
+    PinholeCamera camera;
+    char a = 0, b = 0, c = 0;
+    in >> camera.fx >> a >> camera.fy >> b >> camera.cx >> c >> camera.cy;
+    const bool good = !in.fail() && (in >> std::ws).eof() && a == ',' && b == ',' && c == ',' &&
+                      camera.fx > 0 && camera.fy > 0;
+    if (!good)
+        throw ConfigurationError("--intrinsics '" + text +
+                                 "' is not four numbers like 525,525,319.5,239.5");
+    return camera;
+}
+
+std::unique_ptr<RgbdDatasetReader> open(Arguments& arguments)
+{
+    DatasetOptions options;
+    options.annotation = arguments.wantsAnnotation() && !arguments.check.isSet();
+    options.invertPoses = arguments.invertPoses.isSet();
+    if (arguments.depthScale.isSet()) options.depthScale = arguments.depthScale.getValue();
+    if (arguments.intrinsics.isSet())
+        options.camera = parseIntrinsics(arguments.intrinsics.getValue());
+    auto dataset = openDataset(arguments.format.getValue(), arguments.input.getValue(), options);
+    dataset->select(arguments.first.getValue(), arguments.last.getValue(),
+                    arguments.every.getValue());
+    return dataset;
+}
+
+void printNotes(const RgbdDatasetReader& dataset)
+{
+    for (const std::string& note : dataset.notes()) std::cout << "note: " << note << "\n";
+}
+
+void printSkipped(const std::vector<SkippedFrame>& skipped)
+{
+    constexpr size_t NAMED = 3;
+    std::map<std::string, std::vector<std::string>> byReason;
+    for (const auto& s : skipped) byReason[s.reason].push_back(s.frame.image);
+    for (auto& [reason, names] : byReason) {
+        const size_t n = names.size();
+        names.resize(std::min(n, NAMED));
+        std::cout << "skipped: " << n << " frames, " << reason << " (" << joined(names, ", ")
+                  << (n > NAMED ? ", ..." : "") << ")\n";
+    }
+}
+
+void printPredictions(const ImportSummary& summary)
+{
+    std::cout << "predictions: " << summary.predictions;
+    if (summary.predictionsLeftOut > 0)
+        std::cout << ", and " << summary.predictionsLeftOut << " of frames that were left out";
+    if (summary.predictionsWithoutFrame > 0)
+        std::cout << ", and " << summary.predictionsWithoutFrame << " of frames that do not exist";
+    std::cout << "\n";
 }
 
 /** Bytes of a file or of all files in a folder; 0 if there is none. */
@@ -47,106 +197,103 @@ uintmax_t sizeOf(const fs::path& path)
     return bytes;
 }
 
-void printSkipped(const std::vector<SkippedFrame>& skipped)
+void printSizes(const RawlogFiles& files)
 {
-    constexpr size_t NAMED = 3;
-    std::map<std::string, std::vector<std::string>> byReason;
-    for (const auto& s : skipped) byReason[s.reason].push_back(s.frame.image);
-    for (auto& [reason, names] : byReason) {
-        const size_t n = names.size();
-        names.resize(std::min(n, NAMED));
-        std::cout << "skipped: " << n << " frames, " << reason << " (" << joined(names)
-                  << (n > NAMED ? ", ..." : "") << ")\n";
+    for (const auto& path : {files.rawlog, files.sidecar, files.images}) {
+        const auto bytes = static_cast<double>(sizeOf(path));
+        if (bytes == 0) continue;
+        const bool large = bytes >= 1e6;
+        std::cout << "written: " << path.string() << ", " << std::fixed << std::setprecision(1)
+                  << bytes / (large ? 1e6 : 1e3) << (large ? " MB\n" : " kB\n");
     }
 }
 
-void printSizes(const RawlogFiles& files)
+int makeRawlog(Arguments& arguments)
 {
-    for (const auto& path : {files.rawlog, files.sidecar, files.images})
-        if (const auto bytes = sizeOf(path); bytes > 0)
-            std::cout << "written: " << path.string() << ", " << std::fixed << std::setprecision(1)
-                      << static_cast<double>(bytes) / 1e6 << " MB\n";
+    const std::string& output = arguments.output.getValue();
+    const auto dataset = open(arguments);
+    std::optional<CocoPredictions> predictions;
+    if (arguments.predictions.isSet() && !arguments.wantsAnnotation())
+        predictions.emplace(arguments.predictions.getValue(),
+                            arguments.categories.isSet()
+                                ? readCategoryNames(arguments.categories.getValue())
+                                : CategoryNames());
+    RgbdRawlogWriter::Options options;
+    options.embedInstances = arguments.embed.isSet();
+    options.embedImages = arguments.images.getValue() == "embedded";
+    options.comment = "Made by rgbd2rawlog from " + dataset->name();
+    RgbdRawlogWriter writer(output, options);
+    ImportSummary summary;
+    {
+        apps::Progress progress("frames", dataset->selected().size(), !arguments.quiet());
+        summary = importDataset(*dataset, predictions ? &*predictions : nullptr, writer,
+                                [&](size_t done) { progress.update(done); });
+    }
+    writer.close();
+
+    std::cout << "frames: " << summary.frames << " of " << dataset->frames().size() << " in "
+              << dataset->name() << "\n";
+    printNotes(*dataset);
+    printSkipped(dataset->skipped());
+    if (arguments.predictions.isSet()) printPredictions(summary);
+    printSizes(RawlogFiles(output));
+    return 0;
+}
+
+void printReading(const std::string& title, const CalibrationReading& reading)
+{
+    std::cout << std::left << std::setw(34) << title;
+    if (std::isfinite(reading.disagreement))
+        std::cout << std::fixed << std::setprecision(3) << reading.disagreement << " m ("
+                  << std::setprecision(1) << 100 * reading.relative << " % of the depth)\n";
+    else
+        std::cout << "surfaces do not meet\n";
+    std::cout << std::defaultfloat << std::setprecision(6);
+}
+
+template <typename Number>
+std::string text(Number value)
+{
+    std::ostringstream out;
+    out << value;
+    return out.str();
+}
+
+int checkDataset(Arguments& arguments)
+{
+    using Verdict = CalibrationFinding::Verdict;
+    const auto dataset = open(arguments);
+    CalibrationFinding finding;
+    {
+        apps::Progress progress("frames", 0, !arguments.quiet());
+        finding = checkCalibration(*dataset, [&](size_t read) { progress.update(read); });
+    }
+    std::cout << "frames: " << dataset->selected().size() << " of " << dataset->frames().size()
+              << " in " << dataset->name() << ", " << finding.pairs << " pairs compared\n";
+    printNotes(*dataset);
+    if (finding.verdict != Verdict::nothing) {
+        std::cout << "Median disagreement of surfaces seen twice, " << finding.asGiven.points
+                  << " points:\n";
+        printReading("  as given (depth scale " + text(finding.asGiven.depthScale) + ")",
+                     finding.asGiven);
+        printReading("  poses inverted", finding.invertedPoses);
+        printReading("  best other scale (" + text(finding.otherDepthScale.depthScale) + ")",
+                     finding.otherDepthScale);
+        printReading(
+            "  best other focal length (x" + text(finding.otherFocalLength.focalFactor) + ")",
+            finding.otherFocalLength);
+    }
+    std::cout << "verdict: " << finding.sentence << "\n";
+    if (finding.verdict == Verdict::nothing) return 4;
+    return finding.verdict == Verdict::contradiction ? 3 : 0;
 }
 
 int run(int argc, char** argv)
 {
-    const std::string formats = joined(datasetFormats());
-    apps::CommandLine commandLine(DESCRIPTION);
-    auto& parser = commandLine.parser();
-    TCLAP::ValueArg<int64_t> last("", "to", "Last frame to take, by number (default: the last)",
-                                  false, std::numeric_limits<int64_t>::max(), "N", parser);
-    TCLAP::ValueArg<int64_t> first("", "from", "First frame to take, by number (default: 0)", false,
-                                   0, "N", parser);
-    TCLAP::ValueArg<size_t> every("", "every", "Take every so-manieth frame only (default: 1)",
-                                  false, 1, "N", parser);
-    TCLAP::SwitchArg check("", "check", "Read and check everything, write nothing", parser);
-    TCLAP::ValueArg<std::string> images("", "images",
-                                        "Where images go: external (default), embedded", false,
-                                        "external", "WHERE", parser);
-    TCLAP::SwitchArg embed("", "embed", "Put the predictions into the rawlog", parser);
-    TCLAP::ValueArg<std::string> categories(
-        "", "categories",
-        "Names of the categories the predictions give numbers of: JSON as COCO has,"
-        " or CSV lines 'id,name' (default: COCO's 91)",
-        false, "", "FILE", parser);
-    TCLAP::ValueArg<std::string> predictionsFile(
-        "", "predictions",
-        "A detector's predictions, in the COCO results format; image_id is the"
-        " frame number",
-        false, "", "FILE.json", parser);
-    TCLAP::ValueArg<std::string> output("o", "output", "Rawlog to write", false, "", "FILE.rawlog",
-                                        parser);
-    TCLAP::ValueArg<std::string> input("i", "input", "Folder of the dataset", true, "", "DIR",
-                                       parser);
-    TCLAP::ValueArg<std::string> format("f", "format", "Format of the dataset: " + formats, true,
-                                        "", "NAME", parser);
-    if (!commandLine.parse(argc, argv)) return 0;
-    if (images.getValue() != "external" && images.getValue() != "embedded")
-        throw ConfigurationError("--images must be external or embedded, not " + images.getValue());
-    if (output.isSet() == check.isSet())
-        throw ConfigurationError("give one of --output and --check (see --help)");
-    if (categories.isSet() && !predictionsFile.isSet())
-        throw ConfigurationError("--categories needs --predictions");
-
-    const auto dataset = openDataset(format.getValue(), input.getValue());
-    dataset->select(first.getValue(), last.getValue(), every.getValue());
-    std::optional<CocoPredictions> predictions;
-    if (predictionsFile.isSet())
-        predictions.emplace(
-            predictionsFile.getValue(),
-            categories.isSet() ? readCategoryNames(categories.getValue()) : CategoryNames());
-    std::optional<RgbdRawlogWriter> writer;
-    if (output.isSet()) {
-        RgbdRawlogWriter::Options options;
-        options.embedInstances = embed.isSet();
-        options.embedImages = images.getValue() == "embedded";
-        options.comment = "Made by rgbd2rawlog from " + dataset->name();
-        writer.emplace(output.getValue(), options);
-    }
-
-    ImportSummary summary;
-    {
-        apps::Progress progress("frames", dataset->selectedCount(), !commandLine.quiet());
-        summary =
-            importDataset(*dataset, predictions ? &*predictions : nullptr,
-                          writer ? &*writer : nullptr, [&](size_t done) { progress.update(done); });
-    }
-    if (writer) writer->close();
-
-    std::cout << "frames: " << summary.frames << " of " << dataset->frames().size() << " in "
-              << dataset->name() << "\n";
-    printSkipped(dataset->skipped());
-    if (predictions) {
-        std::cout << "predictions: " << summary.predictions;
-        if (summary.predictionsLeftOut > 0)
-            std::cout << ", and " << summary.predictionsLeftOut << " of frames that were left out";
-        if (summary.predictionsWithoutFrame > 0)
-            std::cout << ", and " << summary.predictionsWithoutFrame
-                      << " of frames that do not exist";
-        std::cout << "\n";
-    }
-    if (writer) printSizes(RawlogFiles(output.getValue()));
-    return 0;
+    Arguments arguments;
+    if (!arguments.parse(argc, argv)) return 0;
+    checkArguments(arguments);
+    return arguments.check.isSet() ? checkDataset(arguments) : makeRawlog(arguments);
 }
 }  // namespace
 

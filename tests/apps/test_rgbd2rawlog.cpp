@@ -116,13 +116,34 @@ TEST_F(Rgbd2Rawlog, skipsAndCountsFramesWithoutAValidPose)
         << result.output;
 }
 
-TEST_F(Rgbd2Rawlog, checkWritesNothing)
+TEST_F(Rgbd2Rawlog, checkWritesNothingAndSaysWhatItCannotTell)
 {
     const auto result = test::runProgram(
         "rgbd2rawlog", {"--format", "7scenes", "--input", path("scene"), "--check"});
-    EXPECT_EQ(result.exitCode, 0) << result.errors;
-    EXPECT_EQ(result.output, "frames: 4 of 4 in 7-Scenes\n");
+    EXPECT_EQ(result.exitCode, 4) << result.errors;  // the camera stands still
+    EXPECT_NE(result.output.find("verdict: no two of the frames"), std::string::npos)
+        << result.output;
     expectNothingWritten();
+}
+
+TEST_F(Rgbd2Rawlog, checkJudgesTheRealKitchen)
+{
+    SKIP_WITHOUT_REDKITCHEN();
+    const auto check = [](std::vector<std::string> options) {
+        for (const auto& o : {"--format", "7scenes", "--check", "--quiet", "--input"})
+            options.emplace_back(o);
+        options.push_back(test::redkitchen().string());
+        return test::runProgram("rgbd2rawlog", options);
+    };
+    const auto good = check({});
+    EXPECT_EQ(good.exitCode, 0) << good.output;
+    EXPECT_EQ(good.errors, "");
+    EXPECT_NE(good.output.find("verdict: depth scale, intrinsics and poses hold together\n"),
+              std::string::npos)
+        << good.output;
+    const auto wrong = check({"--depth-scale", "5000"});
+    EXPECT_EQ(wrong.exitCode, 3) << wrong.output;
+    EXPECT_NE(wrong.output.find("use --depth-scale 1000"), std::string::npos) << wrong.output;
 }
 
 TEST_F(Rgbd2Rawlog, wrongUsageEndsWithOne)
@@ -134,6 +155,11 @@ TEST_F(Rgbd2Rawlog, wrongUsageEndsWithOne)
     expectSentence(import({"--every", "0"}), 1, "every");
     expectSentence(import({"--images", "nowhere"}), 1, "nowhere");
     expectSentence(import({"--check"}), 1, "--check");
+    expectSentence(import({"--depth-scale", "0"}), 1, "--depth-scale");
+    expectSentence(import({"--intrinsics", "525,525"}), 1, "525,525,319.5,239.5");
+    expectSentence(import({"--predictions", "gt"}), 1, "no annotation");
+    expectSentence(import({"--predictions", "gt", "--categories", "names.csv"}), 1,
+                   "--categories needs");
     expectSentence(import({"--categories", path("names.csv")}), 1, "--predictions");
     expectNothingWritten();
 }

@@ -23,7 +23,7 @@ CObservation3DRangeScan::Ptr makeScan(int frame, const std::string& label = "RGB
     scan->timestamp = mrpt::Clock::fromDouble(1e9 + frame);
     scan->sensorLabel = label;
     scan->sensorPose.z(1.2);
-    scan->cameraParamsIntensity.ncols = scan->cameraParamsIntensity.nrows = 2;
+    scan->cameraParams.ncols = scan->cameraParams.nrows = 2;
     return scan;
 }
 

@@ -6,6 +6,7 @@
 namespace voxeland::test
 {
 /** Makes one frame of a small dataset laid out as 7-Scenes: a grey colour image, depth of 1 m.
+ *  Beside the sequence's folder goes a camera of such small images, unless there is one.
  *  \param stem path up to the number, e.g. "seq-01/frame-000003" \param extension of colour */
 void writeSevenScenesFrame(const std::filesystem::path& stem, const std::string& extension = "png",
                            int width = 32, int height = 24);

@@ -2,6 +2,7 @@
 #include "voxeland/datasets/CategoryNames.h"
 
 #include "JsonFile.h"
+#include "TextFile.h"
 #include "voxeland/errors.h"
 
 #include <cstdlib>

@@ -23,7 +23,7 @@ std::string sizeText(int width, int height)
 
 CocoPredictions::CocoPredictions(const std::string& file, const CategoryNames& names) : m_file(file)
 {
-    CocoReader(*this, names).read(parseJson(readTextFile(file), file));
+    CocoReader(*this, names).read(readJson(file));
 }
 
 size_t CocoPredictions::count() const

@@ -2,6 +2,7 @@
 #include "voxeland/datasets/DatasetImport.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/observations/MaskCamera.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
@@ -23,18 +24,15 @@ struct ReadFrame
 void attachPredictions(const CocoPredictions& predictions, ReadFrame& read)
 {
     const auto& scan = *read.record.scan;
-    read.record.instances =
-        predictions.instancesFor(read.frame, static_cast<int>(scan.cameraParamsIntensity.ncols),
-                                 static_cast<int>(scan.cameraParamsIntensity.nrows));
-    if (!read.record.instances) return;
-    read.record.instances->timestamp = scan.timestamp;
-    read.record.instances->sensorLabel = scan.sensorLabel;
-    read.record.instances->setSensorPose(scan.sensorPose);
+    const auto& camera = maskCamera(scan);
+    read.record.instances = predictions.instancesFor(read.frame, static_cast<int>(camera.ncols),
+                                                     static_cast<int>(camera.nrows));
+    if (read.record.instances) attachToScan(*read.record.instances, scan);
 }
 }  // namespace
 
 ImportSummary importDataset(RgbdDatasetReader& dataset, const CocoPredictions* predictions,
-                            RgbdRawlogWriter* writer,
+                            RgbdRawlogWriter& writer,
                             const std::function<void(size_t done)>& progress)
 {
     ImportSummary summary;
@@ -49,7 +47,7 @@ ImportSummary importDataset(RgbdDatasetReader& dataset, const CocoPredictions* p
         auto next = std::async(std::launch::async, readNext);
         if (predictions) attachPredictions(*predictions, *read);
         if (read->record.instances) summary.predictions += read->record.instances->instances.size();
-        if (writer) writer->write(read->record);
+        writer.write(read->record);
         ++summary.frames;
         progress(read->done);
         read = next.get();

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFiles.h"
 
+#include "voxeland/datasets/RgbdDatasetReader.h"
 #include "voxeland/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
+
+namespace fs = std::filesystem;
 
 namespace voxeland
 {
@@ -31,23 +33,27 @@ bool isCutJpeg(const std::vector<char>& bytes)
     return std::search(bytes.rbegin(), bytes.rend(), END_OF_IMAGE.rbegin(), END_OF_IMAGE.rend()) ==
            bytes.rend();
 }
-
-cv::Mat decode(const std::string& file)
-{
-    const auto bytes = readBytes(file);
-    cv::Mat image;
-    if (!bytes.empty() && !isCutJpeg(bytes)) image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-    if (image.empty()) throw InputError("the image " + file + " is damaged and cannot be decoded");
-    return image;
-}
 }  // namespace
 
-void loadDepth(mrpt::obs::CObservation3DRangeScan& scan, const std::string& file)
+cv::Mat decodeImage(const std::vector<char>& bytes, const std::string& name)
+{
+    cv::Mat image;
+    if (!bytes.empty() && !isCutJpeg(bytes)) image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
+    if (image.empty()) throw InputError("the image " + name + " is damaged and cannot be decoded");
+    return image;
+}
+
+cv::Mat readImage(const std::string& file)
+{
+    return decodeImage(readBytes(file), file);
+}
+
+void setDepth(mrpt::obs::CObservation3DRangeScan& scan, const cv::Mat& image,
+              const std::string& name)
 {
     constexpr uint16_t TOO_FAR = 65535;
-    const cv::Mat image = decode(file);
     if (image.type() != CV_16UC1)
-        throw InputError("the depth image " + file + " is not one of 16 bits and one channel");
+        throw InputError("the depth image " + name + " is not one of 16 bits and one channel");
     scan.rangeImage_setSize(image.rows, image.cols);
     for (int r = 0; r < image.rows; ++r)
         std::replace_copy(image.ptr<uint16_t>(r), image.ptr<uint16_t>(r) + image.cols,
@@ -55,13 +61,24 @@ void loadDepth(mrpt::obs::CObservation3DRangeScan& scan, const std::string& file
     scan.hasRangeImage = true;
 }
 
-void loadColour(mrpt::obs::CObservation3DRangeScan& scan, const std::string& file)
+void setColour(mrpt::obs::CObservation3DRangeScan& scan, const cv::Mat& image,
+               const std::string& name)
 {
-    const cv::Mat image = decode(file);
     if (image.depth() != CV_8U)
-        throw InputError("the colour image " + file + " is not one of 8 bits a channel");
+        throw InputError("the colour image " + name + " is not one of 8 bits a channel");
     scan.intensityImage = mrpt::img::CImage(image, mrpt::img::SHALLOW_COPY);
-    scan.intensityImage.setExternalStorage(std::filesystem::absolute(file).string());
     scan.hasIntensityImage = true;
+}
+
+RgbdRecord readImages(const fs::path& colour, const fs::path& depth)
+{
+    if (!fs::exists(colour)) throw UnusableFrame("no colour image");
+    if (!fs::exists(depth)) throw UnusableFrame("no depth image");
+    RgbdRecord record;
+    record.scan = mrpt::obs::CObservation3DRangeScan::Create();
+    setDepth(*record.scan, readImage(depth.string()), depth.string());
+    setColour(*record.scan, readImage(colour.string()), colour.string());
+    record.scan->intensityImage.setExternalStorage(fs::absolute(colour).string());
+    return record;
 }
 }  // namespace voxeland

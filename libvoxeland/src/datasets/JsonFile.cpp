@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "JsonFile.h"
 
+#include "TextFile.h"
 #include "voxeland/errors.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 
 namespace voxeland
 {
-std::string readTextFile(const std::string& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) throw InputError("cannot read " + file);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 nlohmann::json parseJson(const std::string& text, const std::string& file)
 {
     try {
@@ -31,5 +23,10 @@ nlohmann::json parseJson(const std::string& text, const std::string& file)
                          std::to_string(column) +
                          (at == text.size() ? ", its end: it is cut off" : ""));
     }
+}
+
+nlohmann::json readJson(const std::string& file)
+{
+    return parseJson(readTextFile(file), file);
 }
 }  // namespace voxeland

@@ -3,7 +3,6 @@
 
 #include <Eigen/Dense>
 #include <mrpt/math/CMatrixFixed.h>
-#include <mrpt/poses/CPose3D.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,17 +21,31 @@ bool isRigid(const Eigen::Matrix4d& m)
     const Eigen::Matrix3d error = r.transpose() * r - Eigen::Matrix3d::Identity();
     return error.cwiseAbs().maxCoeff() <= TOLERANCE && r.determinant() > 0;
 }
+
+/** Optical axes in a camera with MRPT's. */
+mrpt::poses::CPose3D opticalAxes()
+{
+    using namespace mrpt::literals;
+    return {0, 0, 0, -90.0_deg, 0.0_deg, -90.0_deg};
+}
 }  // namespace
 
 std::optional<mrpt::math::TPose3D> poseFromOptical(const std::array<double, 16>& cameraToWorld)
 {
-    using namespace mrpt::literals;
     using RowMajor = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
     const Eigen::Matrix4d m = Eigen::Map<const RowMajor>(cameraToWorld.data());
     if (!isRigid(m)) return std::nullopt;
 
-    const mrpt::poses::CPose3D worldOptical{mrpt::math::CMatrixDouble44(m)};
-    const mrpt::poses::CPose3D cameraOptical(0, 0, 0, -90.0_deg, 0.0_deg, -90.0_deg);
-    return (worldOptical + -cameraOptical).asTPose();
+    return poseFromOptical(mrpt::poses::CPose3D(mrpt::math::CMatrixDouble44(m)));
+}
+
+mrpt::math::TPose3D poseFromOptical(const mrpt::poses::CPose3D& cameraInWorld)
+{
+    return (cameraInWorld + -opticalAxes()).asTPose();
+}
+
+mrpt::poses::CPose3D opticalPose(const mrpt::math::TPose3D& pose)
+{
+    return mrpt::poses::CPose3D(pose) + opticalAxes();
 }
 }  // namespace voxeland

@@ -6,6 +6,7 @@
 #include "voxeland/io/GzInputFile.h"
 #include "voxeland/io/GzOutputFile.h"
 #include "voxeland/io/RawlogFiles.h"
+#include "voxeland/observations/MaskCamera.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CSensoryFrame.h>
@@ -35,13 +36,11 @@ class FrameCounter
     {
         const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation);
         if (!scan || !isChosen(scan->sensorLabel)) return nullptr;
-        const auto& camera = scan->cameraParamsIntensity;
+        const auto& camera = maskCamera(*scan);
         const DatasetFrame frame{static_cast<int64_t>(m_added.frames++), {}};
         auto instances = m_predictions.instancesFor(frame, static_cast<int>(camera.ncols),
                                                     static_cast<int>(camera.nrows));
-        instances->timestamp = scan->timestamp;
-        instances->sensorLabel = scan->sensorLabel;
-        instances->setSensorPose(scan->sensorPose);
+        attachToScan(*instances, *scan);
         m_added.predictions += instances->instances.size();
         return instances;
     }

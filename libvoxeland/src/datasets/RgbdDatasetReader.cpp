@@ -1,14 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/RgbdDatasetReader.h"
 
+#include "voxeland/datasets/OpticalPose.h"
+#include "voxeland/datasets/ReplicaReader.h"
+#include "voxeland/datasets/ScanNetSensReader.h"
+#include "voxeland/datasets/SceneNNReader.h"
 #include "voxeland/datasets/SevenScenesReader.h"
+#include "voxeland/datasets/TumReader.h"
 #include "voxeland/errors.h"
+#include "voxeland/joined.h"
+#include "voxeland/observations/MaskCamera.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <algorithm>
 #include <map>
 
 namespace voxeland
 {
+void RgbdDatasetReader::setUp(std::vector<DatasetFrame> frames, const DatasetCameras& cameras)
+{
+    m_frames = std::move(frames);
+    m_cameras = cameras;
+    m_cameras.depthScale = m_options.depthScale.value_or(cameras.depthScale);
+    if (!m_options.camera) return;
+    m_cameras.depth = *m_options.camera;
+    if (cameras.registered) m_cameras.colour = *m_options.camera;
+}
+
 void RgbdDatasetReader::select(int64_t first, int64_t last, size_t every)
 {
     if (every == 0) throw ConfigurationError("'every' must be 1 or more");
@@ -27,11 +46,27 @@ bool RgbdDatasetReader::isSelected(size_t index) const
            static_cast<uint64_t>(number - m_first) % m_every == 0;
 }
 
-size_t RgbdDatasetReader::selectedCount() const
+std::vector<size_t> RgbdDatasetReader::selected() const
 {
-    size_t n = 0;
-    for (size_t i = 0; i < m_frames.size(); ++i) n += isSelected(i) ? 1 : 0;
-    return n;
+    std::vector<size_t> indices;
+    for (size_t i = 0; i < m_frames.size(); ++i)
+        if (isSelected(i)) indices.push_back(i);
+    return indices;
+}
+
+CObservationInstances::Ptr RgbdDatasetReader::annotationOf(size_t, const RgbdRecord&) const
+{
+    return nullptr;
+}
+
+RgbdRecord RgbdDatasetReader::load(size_t index) const
+{
+    RgbdRecord record = read(index);
+    calibrate(*record.scan, m_cameras, m_frames[index].image);
+    if (m_options.invertPoses) *record.robotPose = poseFromOptical(-opticalPose(*record.robotPose));
+    if (m_options.annotation) record.instances = annotationOf(index, record);
+    if (record.instances) attachToScan(*record.instances, *record.scan);
+    return record;
 }
 
 bool RgbdDatasetReader::next(RgbdRecord& record)
@@ -39,7 +74,7 @@ bool RgbdDatasetReader::next(RgbdRecord& record)
     for (; m_next < m_frames.size(); ++m_next) {
         if (!isSelected(m_next)) continue;
         try {
-            record = read(m_next);
+            record = load(m_next);
             m_current = m_next++;
             return true;
         } catch (const UnusableFrame& e) {
@@ -51,30 +86,51 @@ bool RgbdDatasetReader::next(RgbdRecord& record)
 
 namespace
 {
-using Factory = std::unique_ptr<RgbdDatasetReader> (*)(const std::string& folder);
+struct Format
+{
+    std::unique_ptr<RgbdDatasetReader> (*open)(const std::string& folder, const DatasetOptions&);
+    bool hasAnnotation;
+};
 
 template <typename Reader>
-std::unique_ptr<RgbdDatasetReader> make(const std::string& folder)
+std::unique_ptr<RgbdDatasetReader> make(const std::string& folder, const DatasetOptions& options)
 {
-    return std::make_unique<Reader>(folder);
+    return std::make_unique<Reader>(folder, options);
 }
 
-const std::map<std::string, Factory> FORMATS = {{"7scenes", make<SevenScenesReader>}};
+const std::map<std::string, Format> FORMATS = {{"7scenes", {make<SevenScenesReader>, false}},
+                                               {"replica", {make<ReplicaReader>, false}},
+                                               {"scannet", {openScanNet, true}},
+                                               {"scenenn", {make<SceneNNReader>, true}},
+                                               {"tum", {make<TumReader>, false}}};
+
+std::vector<std::string> annotatedFormats()
+{
+    std::vector<std::string> names;
+    for (const auto& [name, format] : FORMATS)
+        if (format.hasAnnotation) names.push_back(name);
+    return names;
+}
 }  // namespace
 
 std::vector<std::string> datasetFormats()
 {
     std::vector<std::string> names;
-    for (const auto& [name, factory] : FORMATS) names.push_back(name);
+    for (const auto& [name, format] : FORMATS) names.push_back(name);
     return names;
 }
 
-std::unique_ptr<RgbdDatasetReader> openDataset(const std::string& format, const std::string& folder)
+std::unique_ptr<RgbdDatasetReader> openDataset(const std::string& format, const std::string& folder,
+                                               const DatasetOptions& options)
 {
     const auto found = FORMATS.find(format);
-    if (found != FORMATS.end()) return found->second(folder);
-    std::string known;
-    for (const auto& name : datasetFormats()) known += " " + name;
-    throw ConfigurationError("format '" + format + "' is not known; there is:" + known);
+    if (found == FORMATS.end())
+        throw ConfigurationError("format '" + format +
+                                 "' is not known; there is: " + joined(datasetFormats(), ", "));
+    if (options.annotation && !found->second.hasAnnotation)
+        throw ConfigurationError("the format " + format +
+                                 " has no annotation that could serve as predictions, only " +
+                                 joined(annotatedFormats(), ", "));
+    return found->second.open(folder, options);
 }
 }  // namespace voxeland

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/evaluation/LabelMap.h"
 
-#include "Csv.h"
+#include "../datasets/Csv.h"
+#include "../datasets/TextFile.h"
 #include "voxeland/errors.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ LabelMap LabelMap::paper9()
 
 LabelMap LabelMap::fromFile(const std::string& file)
 {
-    return LabelMap(readInput(file, "label map"), file);
+    return LabelMap(readTextFile(file, "label map"), file);
 }
 
 class_id_t LabelMap::classOf(const std::string& name) const

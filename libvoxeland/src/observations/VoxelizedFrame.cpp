@@ -3,7 +3,9 @@
 
 #include "PixelDirections.h"
 #include "PixelGrouping.h"
+#include "Projection.h"
 #include "voxeland/errors.h"
+#include "voxeland/observations/MaskCamera.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/Lie/SE.h>
@@ -53,13 +55,6 @@ void checkScan(const CObservation3DRangeScan& scan)
                          "cameraParams and rangeUnits");
 }
 
-/** Camera the masks belong to: the colour one if there is one, otherwise the depth camera. */
-const TCamera& maskCamera(const CObservation3DRangeScan& scan)
-{
-    const bool calibrated = scan.hasIntensityImage && scan.cameraParamsIntensity.fx() > 0;
-    return calibrated ? scan.cameraParamsIntensity : scan.cameraParams;
-}
-
 void checkPredictions(const CObservation3DRangeScan& scan, const CObservationInstances& predictions)
 {
     const TCamera& camera = maskCamera(scan);
@@ -84,19 +79,6 @@ bool camerasCoincide(const CObservation3DRangeScan& scan)
     return samePose && depth.ncols == colour.ncols && depth.nrows == colour.nrows &&
            depth.intrinsicParams == colour.intrinsicParams && depth.dist == colour.dist;
 }
-
-/** A pixel's coordinates from a direction (x/z, y/z), by the plumb-bob model of OpenCV and MRPT
- * with dist = k1 k2 p1 p2 k3. */
-std::array<double, 2> projected(const TCamera& camera, double x, double y)
-{
-    const auto& d = camera.dist;
-    const double r2 = x * x + y * y;
-    const double radial = 1 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]));
-    const double u = x * radial + 2 * d[2] * x * y + d[3] * (r2 + 2 * x * x);
-    const double v = y * radial + d[2] * (r2 + 2 * y * y) + 2 * d[3] * x * y;
-    return {camera.cx() + camera.fx() * u, camera.cy() + camera.fy() * v};
-}
-
 }  // namespace
 
 VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const DepthLimits& limits)

@@ -2,6 +2,7 @@
 #include "voxeland/plugins/PluginLoader.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/joined.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 #include "voxeland/plugins/CDisambiguator.h"
 #include "voxeland/plugins/COpinionConverter.h"
@@ -30,11 +31,10 @@ fs::path libraryFolder()
     return fs::absolute(info.dli_fname).parent_path();
 }
 
-std::string joined(const std::vector<std::string>& words)
+/** What there is, or "none". */
+std::string listed(const std::vector<std::string>& words)
 {
-    std::string text;
-    for (const auto& w : words) text += (text.empty() ? "" : ", ") + w;
-    return text.empty() ? "none" : text;
+    return words.empty() ? "none" : joined(words, ", ");
 }
 
 /** The file a plugin name stands for, or empty. */
@@ -76,7 +76,7 @@ void loadPlugin(const std::string& name, const std::vector<std::string>& searchP
     const fs::path file = findPlugin(name, searchPath);
     if (file.empty())
         throw PluginError("plugin '" + name +
-                          "' was not found; searched in: " + joined(searchPath) +
+                          "' was not found; searched in: " + listed(searchPath) +
                           " (set VOXELAND_PLUGIN_PATH, or give an absolute path)");
     std::string error;
     if (!mrpt::system::loadPluginModule(fs::absolute(file).string(), error)) {
@@ -98,7 +98,7 @@ std::shared_ptr<Plugin> createPlugin(const mrpt::rtti::TRuntimeClassId* base,
         plugin = std::dynamic_pointer_cast<Plugin>(id->createObject());
     if (!plugin)
         throw PluginError("no loaded plugin has a class '" + className + "' derived from " +
-                          base->className + "; there are: " + joined(classesOf(base)));
+                          base->className + "; there are: " + listed(classesOf(base)));
     return plugin;
 }
 

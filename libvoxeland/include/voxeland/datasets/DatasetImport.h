@@ -17,10 +17,11 @@ struct ImportSummary
 };
 
 /** Goes through the selected frames of a dataset and writes them, each with its predictions.
- *  \param predictions null: none \param writer null: only reads and checks; not closed
+ *  \param predictions null: those that the dataset's annotation makes, if any
+ *  \param writer not closed
  *  \param progress called after each frame with the number done, skipped ones included
  *  \throws InputError, OutputError as the parts do; NothingToMapError if no frame is usable */
 ImportSummary importDataset(RgbdDatasetReader& dataset, const CocoPredictions* predictions,
-                            RgbdRawlogWriter* writer,
+                            RgbdRawlogWriter& writer,
                             const std::function<void(size_t done)>& progress);
 }  // namespace voxeland

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/datasets/DatasetOptions.h"
 #include "voxeland/datasets/RgbdRawlogWriter.h"
 
 #include <cstdint>
@@ -32,11 +33,14 @@ struct UnusableFrame : std::runtime_error
 };
 
 /** Reads the frames of a public RGB-D dataset one after another. A dataset's own class lists the
- *  frames and reads one of them; which are wanted and which had to be left out is counted here. */
+ *  frames, describes the cameras and reads one frame; which are wanted, which had to be left out,
+ *  and what the user knows better is dealt with here. */
 class RgbdDatasetReader
 {
  public:
     virtual ~RgbdDatasetReader() = default;
+    RgbdDatasetReader(const RgbdDatasetReader&) = delete;
+    RgbdDatasetReader& operator=(const RgbdDatasetReader&) = delete;
 
     /** The dataset's name, for people. */
     [[nodiscard]] virtual std::string name() const = 0;
@@ -46,29 +50,49 @@ class RgbdDatasetReader
     /** Restricts next() to every so-manieth frame of those numbered first to last.
      *  \throws ConfigurationError if every is 0 or first is behind last */
     void select(int64_t first, int64_t last, size_t every);
-    /** Number of frames next() goes through, those it skips included. */
-    [[nodiscard]] size_t selectedCount() const;
+
+    /** Positions in frames() of those next() goes through, those it skips included. */
+    [[nodiscard]] std::vector<size_t> selected() const;
 
     /** Reads the next selected frame that can be used; the unusable ones before it are added to
      *  skipped(). \return false if there are no more
      *  \throws InputError, naming the file, if the dataset is corrupt */
     bool next(RgbdRecord& record);
+    /** Reads one frame, selected or not.
+     *  \param index position in frames()
+     *  \throws UnusableFrame if it cannot be used, InputError as next() */
+    [[nodiscard]] RgbdRecord load(size_t index) const;
     /** The frame that next() read last. */
     [[nodiscard]] const DatasetFrame& frame() const { return m_frames.at(m_current); }
     [[nodiscard]] const std::vector<SkippedFrame>& skipped() const { return m_skipped; }
+    /** What was assumed because the dataset does not say it, or says it in several ways: a sentence
+     *  each, for the user. */
+    [[nodiscard]] const std::vector<std::string>& notes() const { return m_notes; }
 
  protected:
-    /** To be called once, by the constructor. */
-    void setFrames(std::vector<DatasetFrame> frames) { m_frames = std::move(frames); }
-    /** \param index position in frames()
+    explicit RgbdDatasetReader(const DatasetOptions& options) : m_options(options) {}
+
+    /** To be called once, by the constructor. The user's own calibration wins over `cameras`. */
+    void setUp(std::vector<DatasetFrame> frames, const DatasetCameras& cameras);
+    void addNote(const std::string& sentence) { m_notes.push_back(sentence); }
+    [[nodiscard]] const DatasetOptions& options() const { return m_options; }
+    /** Reads time, images and pose of a frame.
+     *  \param index position in frames()
      *  \throws UnusableFrame to have it skipped, InputError to give up */
     [[nodiscard]] virtual RgbdRecord read(size_t index) const = 0;
+    /** What is annotated in a frame; asked only if options() want it.
+     *  \param record what read() gave, calibrated \throws as read() */
+    [[nodiscard]] virtual CObservationInstances::Ptr annotationOf(size_t index,
+                                                                  const RgbdRecord& record) const;
 
  private:
     [[nodiscard]] bool isSelected(size_t index) const;
 
+    DatasetOptions m_options;
+    DatasetCameras m_cameras;
     std::vector<DatasetFrame> m_frames;
     std::vector<SkippedFrame> m_skipped;
+    std::vector<std::string> m_notes;
     int64_t m_first = 0, m_last = std::numeric_limits<int64_t>::max();
     size_t m_every = 1, m_next = 0, m_current = 0;
 };
@@ -78,7 +102,8 @@ std::vector<std::string> datasetFormats();
 
 /** Opens a dataset.
  *  \param format one of datasetFormats() \param folder where it is, see the readers' own pages
- *  \throws ConfigurationError for another format, InputError if the folder does not hold one */
-std::unique_ptr<RgbdDatasetReader> openDataset(const std::string& format,
-                                               const std::string& folder);
+ *  \throws ConfigurationError for another format, or if it has no annotation and the options want
+ *  it; InputError if the folder does not hold one */
+std::unique_ptr<RgbdDatasetReader> openDataset(const std::string& format, const std::string& folder,
+                                               const DatasetOptions& options = {});
 }  // namespace voxeland

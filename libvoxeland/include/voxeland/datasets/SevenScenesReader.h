@@ -23,7 +23,7 @@ class SevenScenesReader : public RgbdDatasetReader
 {
  public:
     /** \throws InputError if there are no such files, or the intrinsics make no sense */
-    explicit SevenScenesReader(const std::string& folder);
+    explicit SevenScenesReader(const std::string& folder, const DatasetOptions& options = {});
 
     [[nodiscard]] std::string name() const override { return "7-Scenes"; }
 
@@ -31,14 +31,6 @@ class SevenScenesReader : public RgbdDatasetReader
     [[nodiscard]] RgbdRecord read(size_t index) const override;
 
  private:
-    /** Pinhole model of both cameras [pixels]. */
-    struct Intrinsics
-    {
-        double fx = 585, fy = 585, cx = 320, cy = 240;
-    };
-    [[nodiscard]] static Intrinsics readIntrinsics(const std::filesystem::path& sequence);
-
     std::vector<std::filesystem::path> m_stems;  //!< ".../frame-000012", one for each frame
-    Intrinsics m_intrinsics;
 };
 }  // namespace voxeland

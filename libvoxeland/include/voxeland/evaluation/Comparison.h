@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/datasets/GroundTruth.h"
 #include "voxeland/evaluation/EvaluatedScene.h"
-#include "voxeland/evaluation/GroundTruth.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 namespace voxeland

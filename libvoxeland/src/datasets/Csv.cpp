@@ -2,10 +2,8 @@
 #include "Csv.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/joined.h"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace voxeland
@@ -38,13 +36,6 @@ std::vector<std::string> fieldsOf(const std::string& line)
     for (std::string& f : fields) f = trimmed(f);
     return fields;
 }
-
-std::string joined(const std::vector<std::string>& fields)
-{
-    std::string text;
-    for (const std::string& f : fields) text += (text.empty() ? "" : ",") + f;
-    return text;
-}
 }  // namespace
 
 std::vector<std::vector<std::string>> parseCsv(const std::string& text,
@@ -55,7 +46,7 @@ std::vector<std::vector<std::string>> parseCsv(const std::string& text,
     std::string line;
     std::getline(in, line);
     if (fieldsOf(line) != header)
-        throw InputError(source + " must begin with the line '" + joined(header) + "'.");
+        throw InputError(source + " must begin with the line '" + joined(header, ",") + "'.");
     std::vector<std::vector<std::string>> rows;
     for (size_t number = 2; std::getline(in, line); ++number) {
         if (trimmed(line).empty()) continue;
@@ -66,13 +57,5 @@ std::vector<std::vector<std::string>> parseCsv(const std::string& text,
                              std::to_string(header.size()) + ".");
     }
     return rows;
-}
-
-std::string readInput(const std::string& file, const std::string& purpose)
-{
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError("cannot read the " + purpose + " " + file + ".");
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 }  // namespace voxeland

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <mrpt/math/TPoint3D.h>
+
 #include <string>
 #include <vector>
 
@@ -26,4 +28,9 @@ struct PlyColumn
  *  property */
 std::vector<std::vector<double>> readPlyVertices(const std::string& file,
                                                  const std::vector<PlyColumn>& columns);
+
+/** Points from what readPlyVertices() gave, its first three columns being x, y and z.
+ *  \throws InputError, naming the file, if there is none, or one is not finite */
+std::vector<mrpt::math::TPoint3Df> pointsOf(const std::vector<std::vector<double>>& columns,
+                                            const std::string& file);
 }  // namespace voxeland

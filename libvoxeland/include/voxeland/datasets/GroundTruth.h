@@ -25,6 +25,24 @@ struct GroundTruth
  *  \throws InputError, naming the file, if one is missing, malformed, truncated or empty */
 GroundTruth readPlyGroundTruth(const std::string& path);
 
+/** Reads the annotation of a ScanNet scene: `SCENE_vh_clean_2.ply`,
+ *  `SCENE_vh_clean_2.0.010000.segs.json`, `SCENE.aggregation.json`, and the table
+ *  `scannetv2-labels.combined.tsv` beside them or up to two folders above.
+ *
+ *  Objects are `objectId` + 1; a vertex that several objects claim goes to the last. Categories are
+ *  NYU40's, or the raw one where that has none; walls, floors and ceilings are structure. Points
+ *  stay in the frame of reference of the scan's poses: axisAlignment is not applied.
+ *  \param path the scene's folder, or its PLY file
+ *  \throws InputError, naming the file, if one is missing, malformed or does not fit the others */
+GroundTruth readScanNetGroundTruth(const std::string& path);
+
+/** Reads the annotation of a SceneNN scene: `NNN.ply`, whose vertices have a `label`, and
+ * `NNN.xml`, which tells the object of each label. Categories are those in `nyu_class`; labels
+ * without one, or without a `text`, are void, and walls, floors and ceilings are structure. \param
+ * path the scene's folder, or its PLY file \throws InputError, naming the file, if one is missing
+ * or malformed */
+GroundTruth readSceneNNGroundTruth(const std::string& path);
+
 /** Reads ground truth of a named format, one of groundTruthFormats().
  *  \throws ConfigurationError for another one, InputError as the reader of the format */
 GroundTruth readGroundTruth(const std::string& path, const std::string& format);

@@ -13,8 +13,4 @@ namespace voxeland
 std::vector<std::vector<std::string>> parseCsv(const std::string& text,
                                                const std::vector<std::string>& header,
                                                const std::string& source);
-
-/** Whole content of a file. \throws InputError, naming it, if it cannot be read
- *  \param purpose what the file is for, e.g. "label map" */
-std::string readInput(const std::string& file, const std::string& purpose);
 }  // namespace voxeland

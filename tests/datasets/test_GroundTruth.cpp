@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/TestFiles.h"
+#include "voxeland/datasets/GroundTruth.h"
 #include "voxeland/errors.h"
-#include "voxeland/evaluation/GroundTruth.h"
 
 #include <gtest/gtest.h>
 

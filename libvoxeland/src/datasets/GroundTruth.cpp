@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evaluation/GroundTruth.h"
+#include "voxeland/datasets/GroundTruth.h"
 
 #include "Csv.h"
 #include "PlyVertices.h"
+#include "TextFile.h"
 #include "voxeland/errors.h"
+#include "voxeland/joined.h"
 
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -22,7 +23,9 @@ using Reader = GroundTruth (*)(const std::string& path);
 /** Every format with its reader. */
 const std::map<std::string, Reader>& readers()
 {
-    static const std::map<std::string, Reader> all = {{"ply", &readPlyGroundTruth}};
+    static const std::map<std::string, Reader> all = {{"ply", &readPlyGroundTruth},
+                                                      {"scannet", &readScanNetGroundTruth},
+                                                      {"scenenn", &readSceneNNGroundTruth}};
     return all;
 }
 
@@ -30,7 +33,7 @@ const std::map<std::string, Reader>& readers()
 std::map<int64_t, uint32_t> readCategories(const fs::path& file, std::vector<std::string>& names)
 {
     std::map<int64_t, uint32_t> positions;
-    const std::string text = readInput(file.string(), "table of category names");
+    const std::string text = readTextFile(file.string(), "table of category names");
     for (const auto& row : parseCsv(text, {"index", "name"}, file.string())) {
         int64_t index = 0;
         const char* end = row[0].data() + row[0].size();
@@ -66,16 +69,10 @@ GroundTruth readPlyGroundTruth(const std::string& path)
     GroundTruth gt;
     const auto positions = readCategories(file.parent_path() / "categories.csv", gt.names);
     const size_t n = columns[0].size();
-    if (n == 0) throw InputError(name + " holds no vertices.");
-    gt.points.reserve(n);
+    gt.points = pointsOf(columns, name);
     gt.instance.reserve(n);
     gt.category.reserve(n);
     for (size_t i = 0; i < n; ++i) {
-        const mrpt::math::TPoint3D p(columns[0][i], columns[1][i], columns[2][i]);
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-            throw InputError("vertex " + std::to_string(i) + " of " + name +
-                             " has no finite coordinates.");
-        gt.points.emplace_back(p);
         gt.instance.push_back(instanceOf(columns[3][i], name));
         const auto at = positions.find(static_cast<int64_t>(columns[4][i]));
         if (gt.instance.back() != 0 && at == positions.end())
@@ -98,9 +95,8 @@ GroundTruth readGroundTruth(const std::string& path, const std::string& format)
 {
     const auto at = readers().find(format);
     if (at == readers().end()) {
-        std::string known;
-        for (const auto& r : readers()) known += (known.empty() ? "" : ", ") + r.first;
-        throw ConfigurationError("no ground truth format '" + format + "', only " + known + ".");
+        throw ConfigurationError("no ground truth format '" + format + "', only " +
+                                 joined(groundTruthFormats(), ", ") + ".");
     }
     return at->second(path);
 }

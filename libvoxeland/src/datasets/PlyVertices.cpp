@@ -261,4 +261,21 @@ std::vector<std::vector<double>> readPlyVertices(const std::string& file,
 {
     return PlyReader(file).read(columns);
 }
+
+std::vector<mrpt::math::TPoint3Df> pointsOf(const std::vector<std::vector<double>>& columns,
+                                            const std::string& file)
+{
+    const size_t n = columns[0].size();
+    if (n == 0) throw InputError(file + " holds no vertices.");
+    std::vector<mrpt::math::TPoint3Df> points;
+    points.reserve(n);
+    for (size_t i = 0; i < n; ++i) {
+        const mrpt::math::TPoint3D p(columns[0][i], columns[1][i], columns[2][i]);
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+            throw InputError("vertex " + std::to_string(i) + " of " + file +
+                             " has no finite coordinates.");
+        points.emplace_back(p);
+    }
+    return points;
+}
 }  // namespace voxeland

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/datasets/DatasetCameras.h"
+
+#include <optional>
+
+namespace voxeland
+{
+/** What the user knows better than the dataset, or wants of it. */
+struct DatasetOptions
+{
+    /** Camera of the depth images, and of the colour images where those are registered to it. */
+    std::optional<PinholeCamera> camera;
+    /** Numbers in a depth image that make a metre. */
+    std::optional<double> depthScale;
+    /** The dataset's poses are world-to-camera transforms. */
+    bool invertPoses = false;
+    /** The dataset's own annotation serves as predictions, see RgbdRecord::instances: objects with
+     *  their true category, a score of 1 and their ids as tracks. */
+    bool annotation = false;
+};
+}  // namespace voxeland

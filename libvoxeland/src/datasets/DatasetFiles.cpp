@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DatasetFiles.h"
+
+#include "voxeland/datasets/OpticalPose.h"
+#include "voxeland/datasets/RgbdDatasetReader.h"
+#include "voxeland/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace voxeland
+{
+namespace
+{
+constexpr int64_t FRAMES_PER_SECOND = 30;
+
+bool isFinite(double value)
+{
+    return std::isfinite(value);
+}
+}  // namespace
+
+bool readNumber(std::istream& in, double& number)
+{
+    std::string word;  // operator>> for numbers does not know "nan" and "inf"
+    if (!(in >> word)) return false;
+    char* end = nullptr;
+    number = std::strtod(word.c_str(), &end);
+    return *end == '\0';
+}
+
+std::vector<double> readNumbers(const fs::path& file)
+{
+    std::ifstream in(file);
+    std::vector<double> numbers;
+    for (double number = 0; readNumber(in, number);) numbers.push_back(number);
+    return numbers;
+}
+
+std::shared_ptr<mrpt::math::TPose3D> poseFromNumbers(const std::vector<double>& matrix)
+{
+    std::array<double, 16> m{};
+    if (matrix.size() != m.size()) throw UnusableFrame("pose is not a 4x4 matrix");
+    if (!std::all_of(matrix.begin(), matrix.end(), isFinite))
+        throw UnusableFrame("pose is not finite");
+    std::copy(matrix.begin(), matrix.end(), m.begin());
+    const auto pose = poseFromOptical(m);
+    if (!pose) throw UnusableFrame("pose is not a rigid transform");
+    return std::make_shared<mrpt::math::TPose3D>(*pose);
+}
+
+PinholeCamera readCameraMatrix(const fs::path& file)
+{
+    const auto k = readNumbers(file);
+    const size_t columns = k.size() == 16 ? 4 : 3;
+    if (k.size() != columns * columns || !std::all_of(k.begin(), k.end(), isFinite) || k[0] <= 0 ||
+        k[columns + 1] <= 0)
+        throw InputError(file.string() + " is not a 3x3 or 4x4 matrix of camera intrinsics");
+    return {k[0], k[columns + 1], k[2], k[columns + 2], {}};
+}
+
+std::map<int64_t, fs::path> numberedFiles(const fs::path& folder, const std::regex& pattern)
+{
+    std::map<int64_t, fs::path> files;
+    if (!fs::is_directory(folder)) return files;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        std::smatch match;
+        if (std::regex_match(name, match, pattern)) files.emplace(std::stoll(match[1]), entry);
+    }
+    return files;
+}
+
+mrpt::Clock::time_point timeOfFrame(double start, int64_t number)
+{
+    const auto ticks = number * mrpt::Clock::period::den / FRAMES_PER_SECOND;
+    return mrpt::Clock::fromDouble(start) + mrpt::Clock::duration(ticks);
+}
+
+void checkFolder(const std::string& folder)
+{
+    if (!fs::is_directory(folder)) throw InputError("there is no folder " + folder);
+}
+}  // namespace voxeland

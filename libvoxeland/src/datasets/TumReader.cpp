@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/datasets/TumReader.h"
+
+#include "DatasetFiles.h"
+#include "ImageFiles.h"
+#include "voxeland/datasets/OpticalPose.h"
+#include "voxeland/errors.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <tuple>
+
+namespace fs = std::filesystem;
+
+namespace voxeland
+{
+namespace
+{
+constexpr double DEPTH_SCALE = 5000;
+constexpr double MAX_TIME_APART = 0.02;  // [s]
+constexpr double MAX_POSE_GAP = 0.1;     // [s]
+
+/** The dataset's own calibrations; freiburg3's images are undistorted. */
+const std::array<PinholeCamera, 3> CAMERAS = {
+    {{517.306408,
+      516.469215,
+      318.643040,
+      255.313989,
+      {0.262383, -0.953104, -0.005358, 0.002628, 1.163314}},
+     {520.908620,
+      521.007327,
+      325.141442,
+      249.701764,
+      {0.231222, -0.784899, -0.003257, -0.000105, 0.917205}},
+     {535.4, 539.2, 320.1, 247.6, {}}}};
+
+/** Number of the camera, from 1, that a folder's name tells; 0 if none. */
+size_t cameraNumber(const fs::path& folder)
+{
+    static const std::regex PATTERN(R"((?:freiburg|fr)([123])(?![0-9]))");
+    fs::path path = fs::absolute(folder).lexically_normal();
+    if (path.filename().empty()) path = path.parent_path();
+    const std::string name = path.filename().string();
+    std::smatch match;
+    return std::regex_search(name, match, PATTERN) ? std::stoul(match[1]) : 0;
+}
+}  // namespace
+
+TumReader::TumReader(const std::string& folder, const DatasetOptions& options)
+    : RgbdDatasetReader(options), m_folder(folder), m_poses(MAX_POSE_GAP)
+{
+    checkFolder(folder);
+    m_colour = readList(m_folder / "rgb.txt");
+    m_depth = readList(m_folder / "depth.txt");
+    m_depthOfColour = associate(m_colour, m_depth);
+    m_poses = PoseTrack::fromTumFile((m_folder / "groundtruth.txt").string(), MAX_POSE_GAP);
+
+    const size_t camera = cameraNumber(folder);
+    if (camera == 0 && !options.camera)
+        throw ConfigurationError("the name of the folder " + folder +
+                                 " does not tell the camera (freiburg1, freiburg2 or freiburg3):"
+                                 " give it with --intrinsics, such as 525,525,319.5,239.5");
+    if (!options.camera)
+        addNote("the camera is that of freiburg" + std::to_string(camera) +
+                ", as the folder's name says");
+    std::vector<DatasetFrame> frames;
+    for (const auto& image : m_colour)
+        frames.push_back({static_cast<int64_t>(frames.size()), image.file});
+    setUp(std::move(frames),
+          registeredCameras(camera == 0 ? PinholeCamera() : CAMERAS[camera - 1], DEPTH_SCALE));
+}
+
+std::vector<TumReader::TimedFile> TumReader::readList(const fs::path& file)
+{
+    std::ifstream in(file);
+    if (!in) throw InputError("cannot read " + file.string() + ", which TUM's sequences have");
+    std::vector<TimedFile> list;
+    size_t number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
+        std::istringstream words(line);
+        TimedFile entry;
+        if (!readNumber(words, entry.time) || !std::isfinite(entry.time) || !(words >> entry.file))
+            throw InputError("line " + std::to_string(number) + " of " + file.string() +
+                             " is not 'timestamp file'");
+        list.push_back(entry);
+    }
+    if (list.empty()) throw InputError(file.string() + " names no image");
+    return list;
+}
+
+std::vector<int64_t> TumReader::associate(const std::vector<TimedFile>& first,
+                                          const std::vector<TimedFile>& second)
+{
+    std::multimap<double, size_t> secondByTime;
+    for (size_t j = 0; j < second.size(); ++j) secondByTime.emplace(second[j].time, j);
+    std::vector<std::tuple<double, size_t, size_t>> pairs;  // time apart, first, second
+    for (size_t i = 0; i < first.size(); ++i) {
+        const auto end = secondByTime.upper_bound(first[i].time + MAX_TIME_APART);
+        for (auto at = secondByTime.lower_bound(first[i].time - MAX_TIME_APART); at != end; ++at)
+            pairs.emplace_back(std::abs(at->first - first[i].time), i, at->second);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<int64_t> secondOf(first.size(), -1);
+    std::vector<bool> taken(second.size(), false);
+    for (const auto& [apart, i, j] : pairs) {
+        if (secondOf[i] >= 0 || taken[j]) continue;
+        secondOf[i] = static_cast<int64_t>(j);
+        taken[j] = true;
+    }
+    return secondOf;
+}
+
+RgbdRecord TumReader::read(size_t index) const
+{
+    if (m_depthOfColour[index] < 0) throw UnusableFrame("no depth image within 20 ms");
+    const TimedFile& depth = m_depth[static_cast<size_t>(m_depthOfColour[index])];
+    const auto time = mrpt::Clock::fromDouble(depth.time);
+    const auto pose = m_poses.at(time);
+    if (!pose) throw UnusableFrame("no poses within 0.1 s to interpolate between");
+    RgbdRecord record = readImages(m_folder / m_colour[index].file, m_folder / depth.file);
+    record.robotPose =
+        std::make_shared<mrpt::math::TPose3D>(poseFromOptical(mrpt::poses::CPose3D(*pose)));
+    record.scan->timestamp = time;
+    return record;
+}
+}  // namespace voxeland
