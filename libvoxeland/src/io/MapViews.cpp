@@ -86,26 +86,21 @@ cv::Mat3b paint(const Sight& sight, const ViewColoring& coloring)
     return fine;
 }
 
-void writePng(const cv::Mat3b& image, const std::string& file)
+std::vector<uint8_t> pngOf(const cv::Mat3b& image)
 {
     std::vector<uint8_t> bytes;
     cv::imencode(".png", image, bytes);
-    writeAtomically(file, [&](std::ostream& out) {
-        out.write(reinterpret_cast<const char*>(bytes.data()),
-                  static_cast<std::streamsize>(bytes.size()));
-    });
+    return bytes;
 }
 }  // namespace
 
-std::vector<std::string> exportViews(const SemanticVoxelMap& map, const std::string& folder,
-                                     const ViewOptions& options)
+MapViews drawViews(const SemanticVoxelMap& map, const ViewOptions& options)
 {
     constexpr int LEAST_HEIGHT = 200, GREATEST_HEIGHT = 8000;
     if (options.height < LEAST_HEIGHT || options.height > GREATEST_HEIGHT)
         throw ConfigurationError("pictures must be 200 to 8000 pixels high");
     if (options.up && !(options.up->norm() > 0))
         throw ConfigurationError("the up direction must not be 0,0,0");
-    makeOutputFolder(folder);
 
     const VoxelScene scene(map, LevelFrame(options.up ? *options.up : estimateUp(map)));
     const cv::Size picture = ViewSheet::pictureSize(options.height);
@@ -116,20 +111,38 @@ std::vector<std::string> exportViews(const SemanticVoxelMap& map, const std::str
     const Sight above(scene, ViewCamera::top(scene, fine), fine);
     const Sight corner(scene, ViewCamera::perspective(scene, fine, azimuth), fine);
 
-    std::vector<std::string> files;
+    MapViews views;
+    views.azimuth = azimuth;
     for (const ViewColoring& coloring : colorings(map, scene))
         for (const bool top : {true, false}) {
             const ViewCamera& camera = top ? fromAbove : fromCorner;
+            const std::string title = coloring.title + (top ? " (top view)" : " (perspective)");
             ViewSheet sheet(options.height);
-            sheet.drawTitle(coloring.title + (top ? " (top view)" : " (perspective)"));
+            sheet.drawTitle(title);
             sheet.drawPicture(paint(top ? above : corner, coloring));
             sheet.drawLabels(coloring.labels, camera);
             if (top) sheet.drawScale(camera.pixelsPerMetre());
             sheet.drawAxes(scene, camera);
             sheet.drawLegend(coloring);
-            files.push_back(folder + "/" + coloring.name + (top ? "_top.png" : "_perspective.png"));
-            writePng(sheet.image(), files.back());
+            views.pictures.push_back(
+                {coloring.name + (top ? "_top" : "_perspective"), title, pngOf(sheet.image())});
         }
+    return views;
+}
+
+std::vector<std::string> exportViews(const SemanticVoxelMap& map, const std::string& folder,
+                                     const ViewOptions& options)
+{
+    const MapViews views = drawViews(map, options);
+    makeOutputFolder(folder);
+    std::vector<std::string> files;
+    for (const MapViews::Picture& picture : views.pictures) {
+        files.push_back(folder + "/" + picture.name + ".png");
+        writeAtomically(files.back(), [&](std::ostream& out) {
+            out.write(reinterpret_cast<const char*>(picture.png.data()),
+                      static_cast<std::streamsize>(picture.png.size()));
+        });
+    }
     return files;
 }
 }  // namespace voxeland

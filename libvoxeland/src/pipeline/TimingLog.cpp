@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/TimingLog.h"
 
+#include "voxeland/errors.h"
+
 #include <algorithm>
+#include <fstream>
 #include <iomanip>
+#include <locale>
 #include <numeric>
+#include <optional>
 #include <ostream>
+#include <sstream>
 
 namespace voxeland
 {
@@ -23,13 +29,54 @@ void printRow(std::ostream& out, const char* name, std::vector<double> seconds)
         << std::setprecision(3) << std::setw(9) << *middle * MILLISECONDS << std::setw(9)
         << mean * MILLISECONDS << std::setw(9) << seconds.size() << "\n";
 }
+
+std::string csvHeader()
+{
+    std::string header = "frame";
+    for (const char* name : STAGE_NAMES) header += std::string(",") + name + "_ms";
+    return header;
+}
+
+/** A line of writeCsv(); nothing if it is anything else. */
+std::optional<StageTimes> parseLine(const std::string& line)
+{
+    std::istringstream in(line);
+    in.imbue(std::locale::classic());
+    size_t frame = 0;
+    in >> frame;
+    StageTimes times{};
+    for (double& seconds : times) {
+        char comma = 0;
+        in >> comma >> seconds;
+        seconds /= MILLISECONDS;
+        if (in.fail() || comma != ',') return std::nullopt;
+    }
+    return in.get() == EOF ? std::optional(times) : std::nullopt;
+}
 }  // namespace
+
+TimingLog TimingLog::fromCsv(const std::string& file)
+{
+    const auto fail = [&](const std::string& problem) {
+        throw InputError("cannot read times from '" + file + "': " + problem);
+    };
+    std::ifstream in(file);
+    if (!in) fail("there is no such file");
+    std::string line;
+    if (!std::getline(in, line) || line != csvHeader())
+        fail("it is no file of rawlog2voxeland's --timing");
+    TimingLog log;
+    for (size_t number = 2; std::getline(in, line); ++number) {
+        const auto times = parseLine(line);
+        if (!times) fail("line " + std::to_string(number) + " is damaged");
+        log.add(*times);
+    }
+    return log;
+}
 
 void TimingLog::writeCsv(std::ostream& out) const
 {
-    out << "frame";
-    for (const char* name : STAGE_NAMES) out << "," << name << "_ms";
-    out << "\n";
+    out << csvHeader() << "\n";
     for (size_t f = 0; f < m_frames.size(); ++f) {
         out << f;
         for (const double seconds : m_frames[f]) out << "," << seconds * MILLISECONDS;

@@ -3,6 +3,7 @@
 #include "voxeland/pipeline/StageTimes.h"
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 namespace voxeland
@@ -12,6 +13,9 @@ class TimingLog
 {
  public:
     void add(const StageTimes& times) { m_frames.push_back(times); }
+
+    /** Reads what writeCsv() wrote. \throws InputError, naming the file, if it is anything else */
+    static TimingLog fromCsv(const std::string& file);
 
     /** One line a frame: number and milliseconds per stage, with a header line. */
     void writeCsv(std::ostream& out) const;

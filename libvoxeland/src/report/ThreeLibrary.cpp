@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/report/ThreeLibrary.h"
+
+#include "voxeland/errors.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace voxeland
+{
+namespace
+{
+std::string textOf(const std::string& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    if (!(text << in.rdbuf()))
+        throw ConfigurationError("the report's 3D view needs '" + file +
+                                 "': install the package libjs-three, or name the folder of "
+                                 "three.js (version 109 to 147)");
+    return text.str();
+}
+}  // namespace
+
+ThreeLibrary ThreeLibrary::fromFolder(const std::string& folder)
+{
+    return {textOf(folder + "/three.min.js"),
+            textOf(folder + "/examples/js/controls/OrbitControls.js")};
+}
+}  // namespace voxeland
