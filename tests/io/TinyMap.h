@@ -9,6 +9,15 @@ namespace voxeland::test
 {
 constexpr double TINY_RESOLUTION = 0.1;
 
+/** A map of 0.1 m voxels, without a prior. */
+inline SemanticVoxelMap emptyMap()
+{
+    MapOptions options;
+    options.resolution = TINY_RESOLUTION;
+    options.prior_strength = 0;
+    return SemanticVoxelMap(options);
+}
+
 /** Adds an instance with this category evidence. */
 inline instance_id_t addInstance(SemanticVoxelMap& map, const std::map<std::string, double>& beta)
 {
@@ -35,10 +44,7 @@ inline void addVoxel(SemanticVoxelMap& map, const VoxelCoord& v,
  *  - (5,5,5): instance 2, but believed free now. */
 inline SemanticVoxelMap tinyMap()
 {
-    MapOptions options;
-    options.resolution = TINY_RESOLUTION;
-    options.prior_strength = 0;
-    SemanticVoxelMap map(options);
+    SemanticVoxelMap map = emptyMap();
     const instance_id_t seat = addInstance(map, {{"chair", 2}, {"table", 2}});
     const instance_id_t cup = addInstance(map, {{"cup", 3}});
     addVoxel(map, {0, 0, 0}, {{seat, 10}, {UNKNOWN_INSTANCE, 1}});

@@ -126,7 +126,7 @@ Glb exported(const SemanticVoxelMap& map, const LevelFrame& frame = LevelFrame()
 /** An instance of 2 x 2 x 2 voxels of 0.1 m beside another of one voxel. */
 SemanticVoxelMap twoBlocks()
 {
-    SemanticVoxelMap map(MapOptions{0.1, {}, 0, 0, EntropyMeasure::expected});
+    SemanticVoxelMap map = test::emptyMap();
     const auto box = test::addInstance(map, {{"box", 1}}),
                cup = test::addInstance(map, {{"cup", 3}});
     for (int i = 0; i < 8; ++i) test::addVoxel(map, {i & 1, i >> 1 & 1, 5 + (i >> 2)}, {{box, 1}});

@@ -23,7 +23,7 @@ constexpr HeightRange BODY = {0.1, 1.0};
 template <typename At>
 SemanticVoxelMap hall(At&& at)
 {
-    SemanticVoxelMap map(MapOptions{0.1, {}, 0, 0, EntropyMeasure::expected});
+    SemanticVoxelMap map = test::emptyMap();
     const auto set = [&](int x, int y, int z, double p) {
         test::addVoxel(map, at(x, y, z), {{UNKNOWN_INSTANCE, 1}}, p);
     };

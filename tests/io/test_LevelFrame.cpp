@@ -46,7 +46,7 @@ TEST(LevelFrame, turnsAboutUp)
 /** 1000 voxels of floor at x = 2, up being -x; a wall; five strays below the floor. */
 TEST(FloorHeight, isTheTopOfTheFloor)
 {
-    SemanticVoxelMap map(MapOptions{0.1, {}, 0, 0, EntropyMeasure::expected});
+    SemanticVoxelMap map = test::emptyMap();
     for (int y = 0; y < 50; ++y)
         for (int z = 0; z < 20; ++z) test::addVoxel(map, {20, y, z}, {{UNKNOWN_INSTANCE, 1}});
     for (int x = 0; x < 20; ++x) test::addVoxel(map, {x, 0, 0}, {{UNKNOWN_INSTANCE, 1}});
