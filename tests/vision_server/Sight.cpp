@@ -4,6 +4,7 @@
 #include "voxeland/simulation/CategoryPaint.h"
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <map>
@@ -15,20 +16,33 @@ namespace
 {
 using Votes = std::map<std::string, double>;
 
-/** Share of each paint in a picture; pixels count more the nearer to its middle they are. */
-Votes shares(const cv::Mat& image)
+/** Pixels within the line that outlines an object: white, between black ones. None if there is no
+ * such line. */
+cv::Mat insideOutline(const cv::Mat& image)
+{
+    cv::Mat black, white, line;
+    cv::inRange(image, cv::Scalar::all(0), cv::Scalar::all(90), black);
+    cv::inRange(image, cv::Scalar::all(180), cv::Scalar::all(255), white);
+    cv::dilate(black, black, {}, {-1, -1}, 2);
+    cv::dilate(white & black, line, {});
+    cv::copyMakeBorder(line, line, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+    cv::floodFill(line, {0, 0}, 255);
+    return line(cv::Rect(1, 1, image.cols, image.rows)) == 0;
+}
+
+/** Pixels of each paint in a part of a picture, as a share of all painted ones. */
+Votes shares(const cv::Mat& image, const cv::Mat& part)
 {
     Votes votes;
     double all = 0;
     for (int row = 0; row < image.rows; ++row)
         for (int column = 0; column < image.cols; ++column) {
-            const double x = 2.0 * column / image.cols - 1, y = 2.0 * row / image.rows - 1;
-            const double weight = std::max(0.0, 1 - x * x - y * y);
+            if (part.at<uint8_t>(row, column) == 0) continue;
             const auto pixel = image.at<cv::Vec3b>(row, column);
             const std::string* category = simulation::categoryOfPaint(pixel[2], pixel[1], pixel[0]);
             if (category == nullptr) continue;
-            votes[*category] += weight;
-            all += weight;
+            ++votes[*category];
+            ++all;
         }
     for (auto& [category, share] : votes) share /= all;
     return votes;
@@ -42,7 +56,9 @@ std::string categoryShown(const std::vector<std::string>& pictures)
         const cv::Mat image =
             cv::imdecode(std::vector<uchar>(file.begin(), file.end()), cv::IMREAD_COLOR);
         if (image.empty()) throw std::runtime_error("a picture cannot be decoded");
-        for (const auto& [category, share] : shares(image)) total[category] += share;
+        Votes votes = shares(image, insideOutline(image));
+        if (votes.empty()) votes = shares(image, cv::Mat(image.size(), CV_8U, cv::Scalar(255)));
+        for (const auto& [category, share] : votes) total[category] += share;
     }
     const auto most =
         std::max_element(total.begin(), total.end(),

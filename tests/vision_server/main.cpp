@@ -179,6 +179,19 @@ const std::map<std::string, Behaviour>& behaviours()
              std::this_thread::sleep_for(std::chrono::seconds(20));
              answerHonestly(client, request);
          }},
+        {"/leisurely",
+         [](Connection& client, const Request& request) {
+             std::this_thread::sleep_for(std::chrono::milliseconds(500));
+             answerHonestly(client, request);
+         }},
+        {"/two-then-401",
+         [](Connection& client, const Request& request) {
+             static std::atomic<int> count{0};
+             if (++count > 2)
+                 client.answer(401, errorObject("invalid key").dump());
+             else
+                 answerHonestly(client, request);
+         }},
         {"/400", reply(400, errorObject("too many pictures").dump())},
         {"/401", reply(401, errorObject("invalid key").dump())},
         {"/403", reply(403, errorObject("not in your region").dump())},
