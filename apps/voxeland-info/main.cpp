@@ -5,6 +5,8 @@
 #include "voxeland/errors.h"
 #include "voxeland/io/AnswersAsText.h"
 #include "voxeland/io/MapAnswers.h"
+#include "voxeland/io/Reobservation.h"
+#include "voxeland/io/UpDirection.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 
@@ -20,10 +22,12 @@ const char* const DESCRIPTION = R"(Tells what a Voxeland map holds: a summary, o
   voxeland-info kitchen.voxeland --find chair           where the chairs are, the nearest first
   voxeland-info kitchen.voxeland --find cup --from 1,2,0
   voxeland-info kitchen.voxeland --at 1.2,0.5,0.7       everything known of one place
+  voxeland-info kitchen.voxeland --reobserve            what to look at again, and where from
 
 --find ignores case; where no category has that name, part of one will do ("table" finds
 "dining table"). Finding nothing is an answer, not an error. With --json, the same as JSON.
-Coordinates are metres in the map's frame, entropies are in nat.)";
+Coordinates are metres in the map's frame, entropies are in nat. Yaw and pitch of a camera are those of
+MRPT (pitch > 0 looks down), in the map's frame turned about its origin until up is z.)";
 
 /** Says on stderr what could have been found. */
 void listCategories(const MapOverview& overview, const std::string& wanted)
@@ -34,50 +38,123 @@ void listCategories(const MapOverview& overview, const std::string& wanted)
     std::cerr << (overview.categories.empty() ? " no objects\n" : "\n");
 }
 
+/** The program's command line. */
+struct Arguments : apps::CommandLine
+{
+    Arguments() : CommandLine(DESCRIPTION) {}
+
+    TCLAP::SwitchArg json{"", "json", "Answer in JSON", parser()};
+    TCLAP::ValueArg<std::string> up{
+        "",
+        "up",
+        "--reobserve: direction of up in the map's frame (default: estimated, +z if in"
+        " doubt)",
+        false,
+        "",
+        "X,Y,Z",
+        parser()};
+    TCLAP::ValueArg<double> cameraHeight{
+        "",
+        "camera-height",
+        "--reobserve: of the camera above the floor (default: 1.2)",
+        false,
+        CarriedCamera().height,
+        "METRES",
+        parser()};
+    TCLAP::ValueArg<size_t> most{
+        "", "most", "--reobserve: how many to name (default: 10)", false, 10, "N", parser()};
+    TCLAP::SwitchArg reobserve{
+        "", "reobserve",
+        "Objects and regions worth another look, the most uncertain first, and where to look from",
+        parser()};
+    TCLAP::ValueArg<std::string> from{
+        "",      "from",  "Where --find measures distances from (default: the origin)", false, "",
+        "X,Y,Z", parser()};
+    TCLAP::ValueArg<std::string> at{
+        "",      "at", "Occupancy, instances, categories and entropies of the voxel at a place",
+        false,   "",   "X,Y,Z",
+        parser()};
+    TCLAP::ValueArg<std::string> find{
+        "", "find", "Objects of a category, the nearest first", false, "", "CATEGORY", parser()};
+    TCLAP::SwitchArg instances{"", "instances", "Table of all objects, the biggest first",
+                               parser()};
+    TCLAP::UnlabeledValueArg<std::string> map{"map", "Map to read",  true,
+                                              "",    "MAP.voxeland", parser()};
+};
+
+/** Complains about wrong usage before a map is read. */
+void check(Arguments& arguments)
+{
+    const int questions = int{arguments.instances.isSet()} + int{arguments.find.isSet()} +
+                          int{arguments.at.isSet()} + int{arguments.reobserve.isSet()};
+    if (questions > 1)
+        throw ConfigurationError("choose one of --instances, --find, --at and --reobserve");
+    if (arguments.from.isSet() && !arguments.find.isSet())
+        throw ConfigurationError("--from goes with --find, name a category");
+    const bool forReobserve =
+        arguments.up.isSet() || arguments.cameraHeight.isSet() || arguments.most.isSet();
+    if (forReobserve && !arguments.reobserve.isSet())
+        throw ConfigurationError("--up, --camera-height and --most go with --reobserve");
+    if (!(arguments.cameraHeight.getValue() > 0))
+        throw ConfigurationError("--camera-height must be more than 0");
+    for (auto* point : {&arguments.from, &arguments.at})
+        if (point->isSet())
+            static_cast<void>(apps::parsePoint(point->getName(), point->getValue()));
+    if (arguments.up.isSet())
+        static_cast<void>(apps::parseDirection("up", arguments.up.getValue()));
+}
+
+std::string instances(Arguments& arguments, const CVoxelandMap& loaded)
+{
+    const SemanticVoxelMap& map = loaded.map();
+    const bool finds = arguments.find.isSet();
+    const auto origin = arguments.from.isSet() ? apps::parsePoint("from", arguments.from.getValue())
+                                               : mrpt::math::TPoint3D();
+    const auto found =
+        finds ? findInstances(map, arguments.find.getValue(), origin) : listInstances(map);
+    if (found.empty() && finds)
+        listCategories(overviewOf(map, loaded.counts()), arguments.find.getValue());
+    if (arguments.json.isSet()) return asJson(map, found);
+    return found.empty() ? "" : asText(found, finds, map.options().prior_strength > 0);
+}
+
+std::string place(Arguments& arguments, const SemanticVoxelMap& map)
+{
+    const PlaceAnswer answer = askPlace(map, apps::parsePoint("at", arguments.at.getValue()));
+    return arguments.json.isSet() ? asJson(answer) : asText(answer);
+}
+
+std::string reobservation(Arguments& arguments, const SemanticVoxelMap& map)
+{
+    CarriedCamera camera;
+    camera.height = arguments.cameraHeight.getValue();
+    const LevelFrame frame(arguments.up.isSet()
+                               ? apps::parseDirection("up", arguments.up.getValue())
+                               : estimateUp(map));
+    const auto targets = planReobservation(map, frame, camera, arguments.most.getValue());
+    return arguments.json.isSet() ? asJson(targets) : asText(targets);
+}
+
+std::string summary(Arguments& arguments, const CVoxelandMap& loaded)
+{
+    const MapOverview overview = overviewOf(loaded.map(), loaded.counts());
+    return arguments.json.isSet() ? asJson(loaded.map(), overview) : asText(overview);
+}
+
+std::string answer(Arguments& arguments, const CVoxelandMap& loaded)
+{
+    if (arguments.instances.isSet() || arguments.find.isSet()) return instances(arguments, loaded);
+    if (arguments.at.isSet()) return place(arguments, loaded.map());
+    if (arguments.reobserve.isSet()) return reobservation(arguments, loaded.map());
+    return summary(arguments, loaded);
+}
+
 int run(int argc, char** argv)
 {
-    apps::CommandLine commandLine(DESCRIPTION);
-    auto& parser = commandLine.parser();
-    TCLAP::SwitchArg json("", "json", "Answer in JSON", parser);
-    TCLAP::ValueArg<std::string> from("", "from",
-                                      "Where --find measures distances from (default: the origin)",
-                                      false, "", "X,Y,Z", parser);
-    TCLAP::ValueArg<std::string> at(
-        "", "at", "Occupancy, instances, categories and entropies of the voxel at a place", false,
-        "", "X,Y,Z", parser);
-    TCLAP::ValueArg<std::string> find("", "find", "Objects of a category, the nearest first", false,
-                                      "", "CATEGORY", parser);
-    TCLAP::SwitchArg instances("", "instances", "Table of all objects, the biggest first", parser);
-    TCLAP::UnlabeledValueArg<std::string> mapFile("map", "Map to read", true, "", "MAP.voxeland",
-                                                  parser);
-    if (!commandLine.parse(argc, argv)) return 0;
-    if (int{instances.isSet()} + int{find.isSet()} + int{at.isSet()} > 1)
-        throw ConfigurationError("choose one of --instances, --find and --at");
-    if (from.isSet() && !find.isSet())
-        throw ConfigurationError("--from goes with --find, name a category");
-    const auto origin =
-        from.isSet() ? apps::parsePoint("from", from.getValue()) : mrpt::math::TPoint3D();
-    const auto place = at.isSet() ? apps::parsePoint("at", at.getValue()) : mrpt::math::TPoint3D();
-
-    const auto loaded = loadMap(mapFile.getValue());
-    const SemanticVoxelMap& map = loaded->map();
-    const bool prior = map.options().prior_strength > 0;
-    if (instances.isSet() || find.isSet()) {
-        const auto found =
-            find.isSet() ? findInstances(map, find.getValue(), origin) : listInstances(map);
-        if (found.empty() && find.isSet())
-            listCategories(overviewOf(map, loaded->counts()), find.getValue());
-        if (json.isSet())
-            std::cout << asJson(map, found);
-        else if (!found.empty())
-            std::cout << asText(found, find.isSet(), prior);
-    } else if (at.isSet()) {
-        const PlaceAnswer answer = askPlace(map, place);
-        std::cout << (json.isSet() ? asJson(answer) : asText(answer));
-    } else {
-        const MapOverview overview = overviewOf(map, loaded->counts());
-        std::cout << (json.isSet() ? asJson(map, overview) : asText(overview));
-    }
+    Arguments arguments;
+    if (!arguments.parse(argc, argv)) return 0;
+    check(arguments);
+    std::cout << answer(arguments, *loadMap(arguments.map.getValue()));
     return 0;
 }
 }  // namespace

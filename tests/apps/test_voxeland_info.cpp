@@ -89,6 +89,14 @@ TEST_F(VoxelandInfo, at)
     EXPECT_TRUE(has(ask({"--at", "-50,0,0"}).output, "never observed"));
 }
 
+TEST_F(VoxelandInfo, reobserve)
+{
+    const json targets = askJson({"--reobserve", "--camera-height", "0.75", "--most", "1"});
+    ASSERT_EQ(targets.size(), 1U);
+    EXPECT_TRUE(targets[0]["poses"].is_array());
+    EXPECT_TRUE(has(ask({"--reobserve"}).output, " nat  "));
+}
+
 TEST_F(VoxelandInfo, wrongUsageIsExitCode1)
 {
     for (const auto& options :
@@ -97,6 +105,10 @@ TEST_F(VoxelandInfo, wrongUsageIsExitCode1)
                                                {"--at", "nan,0,0"},
                                                {"--instances", "--find", "chair"},
                                                {"--from", "0,0,0"},
+                                               {"--most", "3"},
+                                               {"--reobserve", "--camera-height", "0"},
+                                               {"--reobserve", "--up", "0,0,0"},
+                                               {"--reobserve", "--instances"},
                                                {"--bogus"}})
     {
         const auto result = ask(options);

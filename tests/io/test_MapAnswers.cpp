@@ -119,6 +119,48 @@ TEST(MapAnswers, textNamesWhatMatters)
     EXPECT_NE(asText(overviewOf(map, {})).find("1 cup"), std::string::npos);
 }
 
+/** Eight equally likely categories: five are named. */
+TEST(MapAnswers, aPlaceIsToldInItsLikeliestCategories)
+{
+    SemanticVoxelMap map = tinyMap();
+    std::map<std::string, double> beta;
+    for (const char* name : {"a", "b", "c", "d", "e", "f", "g", "h"}) beta[name] = 1;
+    test::addVoxel(map, {9, 9, 9}, {{test::addInstance(map, beta), 1}});
+    const PlaceAnswer answer = askPlace(map, {0.95, 0.95, 0.95});
+    EXPECT_EQ(answer.categories.size(), 8U);
+    EXPECT_NE(asText(answer).find("and 3 less likely ones"), std::string::npos);
+    EXPECT_EQ(asText(askPlace(map, {0.05, 0.05, 0.05})).find("less likely"), std::string::npos);
+}
+
+TEST(MapAnswers, whereToLookAgain)
+{
+    ReobservationTarget cup, region;
+    cup.instance = 7;
+    cup.category = "cup";
+    cup.uncertainty = 1.25;
+    cup.voxels = 12;
+    CameraPose pose;
+    pose.pose = mrpt::poses::CPose3D(1, 2, 3, M_PI / 2, 0, 0);
+    pose.yaw = M_PI / 2;
+    pose.distance = 1.5;
+    pose.visible = 0.75;
+    cup.poses = {pose};
+    const std::string text = asText(std::vector<ReobservationTarget>{cup, region});
+    for (const char* part : {"1.250 nat  7 cup, 12 voxels", "from (1.00, 2.00, 3.00), yaw 90",
+                             "75 % visible", "region", "no free place"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    const json all = json::parse(asJson(std::vector<ReobservationTarget>{cup, region}));
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[0]["id"], 7);
+    const json& matrix = all[0]["poses"][0]["matrix"];
+    EXPECT_NEAR(matrix[1][0].get<double>(), 1, 1e-9) << "it looks along y";
+    EXPECT_EQ(matrix[0][3], 1);
+    EXPECT_EQ(matrix[2][3], 3);
+    EXPECT_EQ(matrix[3], (json{0.0, 0.0, 0.0, 1.0}));
+    EXPECT_EQ(all[1]["kind"], "region");
+    EXPECT_FALSE(all[1].contains("id"));
+}
+
 TEST(MapAnswers, theSameAsJson)
 {
     const SemanticVoxelMap map = tinyMap();

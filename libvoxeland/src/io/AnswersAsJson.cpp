@@ -4,6 +4,23 @@
 
 namespace voxeland
 {
+namespace
+{
+json_t poseAsJson(const CameraPose& p)
+{
+    json_t rows = json_t::array();
+    const auto matrix = p.pose.getHomogeneousMatrixVal<mrpt::math::CMatrixDouble44>();
+    for (int row = 0; row < 4; ++row)
+        rows.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
+    return {{"position", toJson(p.pose.translation())},
+            {"yaw", p.yaw},
+            {"pitch", p.pitch},
+            {"distance", p.distance},
+            {"visible", p.visible},
+            {"matrix", std::move(rows)}};
+}
+}  // namespace
+
 std::string asJson(const SemanticVoxelMap& map, const MapOverview& o)
 {
     json_t json = {{"map", mapAsJson(map)},
@@ -29,6 +46,25 @@ std::string asJson(const SemanticVoxelMap& map, const std::vector<FoundInstance>
     for (const FoundInstance& f : instances) {
         json.push_back(toJson(map, f.summary, f.box));
         json.back()["distance"] = f.distance;
+    }
+    return toText(json);
+}
+
+std::string asJson(const std::vector<ReobservationTarget>& targets)
+{
+    json_t json = json_t::array();
+    for (const ReobservationTarget& t : targets) {
+        json_t target = {{"kind", t.instance ? "instance" : "region"}};
+        if (t.instance) {
+            target["id"] = *t.instance;
+            target["category"] = t.category;
+        }
+        target["uncertainty"] = t.uncertainty;
+        target["voxels"] = t.voxels;
+        target["center"] = toJson(t.center);
+        target["poses"] = json_t::array();
+        for (const CameraPose& p : t.poses) target["poses"].push_back(poseAsJson(p));
+        json.push_back(std::move(target));
     }
     return toText(json);
 }

@@ -11,6 +11,8 @@ namespace voxeland
 {
 namespace
 {
+constexpr size_t LIKELIEST = 5;  //!< categories shown of a place
+
 std::string xyz(const mrpt::math::TPoint3D& p)
 {
     return format("%.2f, %.2f, %.2f", p.x, p.y, p.z);
@@ -66,6 +68,27 @@ std::string asText(const std::vector<FoundInstance>& instances, bool withDistanc
     return text;
 }
 
+std::string asText(const std::vector<ReobservationTarget>& targets)
+{
+    if (targets.empty()) return "nothing is worth another look\n";
+    std::string text;
+    for (const ReobservationTarget& t : targets) {
+        const std::string name =
+            t.instance ? format("%u %s", *t.instance, t.category.c_str()) : "region";
+        text += format("%.3f nat  %s, %zu voxels around (%s)\n", t.uncertainty, name.c_str(),
+                       t.voxels, xyz(t.center).c_str());
+        for (const CameraPose& p : t.poses)
+            text += format(
+                "           from (%s), yaw %.0f, pitch %.0f deg: %.1f m away, %.0f %% "
+                "visible\n",
+                xyz(p.pose.translation()).c_str(), p.yaw * 180 / M_PI, p.pitch * 180 / M_PI,
+                p.distance, 100 * p.visible);
+        if (t.poses.empty())
+            text += "           no free place is known that it is well seen from\n";
+    }
+    return text;
+}
+
 std::string asText(const PlaceAnswer& a)
 {
     std::string text = format("voxel centre    %s m\n", xyz(a.center).c_str());
@@ -78,8 +101,12 @@ std::string asText(const PlaceAnswer& a)
         text += format("  %4u  p %.3f  alpha %8.2f  %s\n", i.id, i.probability, i.alpha,
                        i.category.c_str());
     text += "categories\n";
-    for (const auto& c : a.categories)
-        text += format("        p %.3f  %s\n", c.probability, c.name.c_str());
+    const size_t shown = std::min(LIKELIEST, a.categories.size());
+    for (size_t i = 0; i < shown; ++i)
+        text += format("        p %.3f  %s\n", a.categories[i].probability,
+                       a.categories[i].name.c_str());
+    if (shown < a.categories.size())
+        text += format("        and %zu less likely ones\n", a.categories.size() - shown);
     text += format("entropy         instance %.3f, its category %.3f, voxel's category %.3f nat\n",
                    a.instanceEntropy, a.winnerCategoryEntropy, a.categoryEntropy);
     return text;

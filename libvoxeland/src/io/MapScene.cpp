@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/MapScene.h"
 
+#include "LevelPose.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/Colors.h"
 #include "voxeland/io/OrientedBox.h"
 #include "voxeland/map/MapQueries.h"
 
-#include <mrpt/math/CMatrixFixed.h>
 #include <mrpt/opengl/CBox.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CText.h>
-#include <mrpt/poses/CPose3D.h>
 
 #include <cerrno>
 #include <type_traits>
 
 using mrpt::math::TPoint3D;
-using mrpt::poses::CPose3D;
 
 namespace voxeland
 {
@@ -26,17 +24,6 @@ namespace
 mrpt::img::TColor toMrpt(const Color& c)
 {
     return {c.red, c.green, c.blue};
-}
-
-/** A pose whose x, y, z axes are those of a level frame. */
-CPose3D poseOf(const LevelFrame& frame, const TPoint3D& origin)
-{
-    mrpt::math::CMatrixDouble33 rotation;
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            rotation(row, column) = frame.axes()[static_cast<size_t>(column)][row];
-    return CPose3D::FromRotationAndTranslation(
-        rotation, mrpt::math::CVectorFixedDouble<3>({origin.x, origin.y, origin.z}));
 }
 
 /** Sets a light's intensity: a colour in older versions of MRPT, a number in newer ones. */
