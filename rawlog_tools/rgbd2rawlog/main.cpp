@@ -208,21 +208,30 @@ void printSizes(const RawlogFiles& files)
     }
 }
 
+/** The predictions' file, if one is given. */
+std::optional<CocoPredictions> readPredictions(Arguments& arguments)
+{
+    if (!arguments.predictions.isSet() || arguments.wantsAnnotation()) return std::nullopt;
+    CategoryNames names;
+    if (arguments.categories.isSet()) names = readCategoryNames(arguments.categories.getValue());
+    return CocoPredictions(arguments.predictions.getValue(), names);
+}
+
+RgbdRawlogWriter::Options writerOptions(Arguments& arguments, const RgbdDatasetReader& dataset)
+{
+    RgbdRawlogWriter::Options options;
+    options.embedInstances = arguments.embed.isSet();
+    options.embedImages = arguments.images.getValue() == "embedded";
+    options.comment = "Made by rgbd2rawlog from " + dataset.name();
+    return options;
+}
+
 int makeRawlog(Arguments& arguments)
 {
     const std::string& output = arguments.output.getValue();
     const auto dataset = open(arguments);
-    std::optional<CocoPredictions> predictions;
-    if (arguments.predictions.isSet() && !arguments.wantsAnnotation())
-        predictions.emplace(arguments.predictions.getValue(),
-                            arguments.categories.isSet()
-                                ? readCategoryNames(arguments.categories.getValue())
-                                : CategoryNames());
-    RgbdRawlogWriter::Options options;
-    options.embedInstances = arguments.embed.isSet();
-    options.embedImages = arguments.images.getValue() == "embedded";
-    options.comment = "Made by rgbd2rawlog from " + dataset->name();
-    RgbdRawlogWriter writer(output, options);
+    const auto predictions = readPredictions(arguments);
+    RgbdRawlogWriter writer(output, writerOptions(arguments, *dataset));
     ImportSummary summary;
     {
         apps::Progress progress("frames", dataset->selected().size(), !arguments.quiet());
@@ -240,25 +249,6 @@ int makeRawlog(Arguments& arguments)
     return 0;
 }
 
-void printReading(const std::string& title, const CalibrationReading& reading)
-{
-    std::cout << std::left << std::setw(34) << title;
-    if (std::isfinite(reading.disagreement))
-        std::cout << std::fixed << std::setprecision(3) << reading.disagreement << " m ("
-                  << std::setprecision(1) << 100 * reading.relative << " % of the depth)\n";
-    else
-        std::cout << "surfaces do not meet\n";
-    std::cout << std::defaultfloat << std::setprecision(6);
-}
-
-template <typename Number>
-std::string text(Number value)
-{
-    std::ostringstream out;
-    out << value;
-    return out.str();
-}
-
 int checkDataset(Arguments& arguments)
 {
     using Verdict = CalibrationFinding::Verdict;
@@ -269,21 +259,9 @@ int checkDataset(Arguments& arguments)
         finding = checkCalibration(*dataset, [&](size_t read) { progress.update(read); });
     }
     std::cout << "frames: " << dataset->selected().size() << " of " << dataset->frames().size()
-              << " in " << dataset->name() << ", " << finding.pairs << " pairs compared\n";
+              << " in " << dataset->name() << "\n";
     printNotes(*dataset);
-    if (finding.verdict != Verdict::nothing) {
-        std::cout << "Median disagreement of surfaces seen twice, " << finding.asGiven.points
-                  << " points:\n";
-        printReading("  as given (depth scale " + text(finding.asGiven.depthScale) + ")",
-                     finding.asGiven);
-        printReading("  poses inverted", finding.invertedPoses);
-        printReading("  best other scale (" + text(finding.otherDepthScale.depthScale) + ")",
-                     finding.otherDepthScale);
-        printReading(
-            "  best other focal length (x" + text(finding.otherFocalLength.focalFactor) + ")",
-            finding.otherFocalLength);
-    }
-    std::cout << "verdict: " << finding.sentence << "\n";
+    std::cout << finding.text();
     if (finding.verdict == Verdict::nothing) return 4;
     return finding.verdict == Verdict::contradiction ? 3 : 0;
 }

@@ -232,6 +232,9 @@ TEST_F(Rawlog2voxeland, WrongConfigurationsEndWith1)
     expectFailure(run({"-c", m_folder.file("given_not.ini")}), 1, {"given_not.ini"});
     expectFailure(run({"--set", "map.resolution"}), 1, {"map.resolution"});
     expectFailure(run({"--set", "voxeland.pose_source=gps"}), 1, {"gps", "robot_pose"});
+    expectFailure(
+        runProgram("rawlog2voxeland", {"--check-config", "--set", "voxeland.pose_source=gps"}), 1,
+        {"gps", "robot_pose"});
     expectFailure(run({"--every", "0"}), 1, {"--every"});
     expectFailure(run({"--no-such-option"}), 1, {"no-such-option", "--help"});
     expectFailure(run({"--verbosity", "LOUD"}), 1, {"LOUD"});

@@ -115,6 +115,19 @@ TEST_F(CalibrationCheckTest, TellsWhatItCannotTell)
     EXPECT_EQ(check().verdict, Verdict::nothing);
 }
 
+TEST_F(CalibrationCheckTest, CountsFramesThatCannotBeRead)
+{
+    write(40);
+    for (int i = 0; i < 40; i += 2)
+        std::filesystem::remove(
+            m_folder.file("frame-" + std::to_string(100000 + i) + ".depth.png"));
+    const auto finding = check();
+    ASSERT_EQ(finding.unusable.count("no depth image"), 1U);
+    EXPECT_EQ(finding.verdict, Verdict::consistent) << finding.sentence;
+    EXPECT_NE(finding.text().find("of the frames read, no depth image\n"), std::string::npos)
+        << finding.text();
+}
+
 TEST_F(CalibrationCheckTest, ALittleMotionDecidesNothing)
 {
     write(4);

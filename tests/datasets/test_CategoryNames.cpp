@@ -53,3 +53,20 @@ TEST(CategoryNames, refusesWhatNamesNothing)
         EXPECT_THROW(readCategoryNames(file), InputError) << text;
     }
 }
+
+TEST(CategoryNames, shippedTablesAreThoseOfNyuAndScanNet)
+{
+    const std::string folder = VOXELAND_LABELS;
+    const auto nyu = readCategoryNames(folder + "/nyu40.csv");
+    EXPECT_EQ(nyu.size(), 40U);
+    for (const auto& [id, name] : CategoryNames{{5, "chair"},
+                                                {7, "table"},
+                                                {24, "refridgerator"},
+                                                {33, "toilet"},
+                                                {37, "bag"},
+                                                {40, "otherprop"}})
+        EXPECT_EQ(nyu.at(id), name);
+    const auto scannet = readCategoryNames(folder + "/scannet20.csv");
+    EXPECT_EQ(scannet.size(), 20U);
+    for (const auto& [id, name] : scannet) EXPECT_EQ(nyu.at(id), name);
+}

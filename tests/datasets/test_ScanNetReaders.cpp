@@ -179,6 +179,23 @@ TEST_F(ScanNetReaders, ReadAnExtractedScene)
     EXPECT_EQ(reader->skipped()[2].reason, "no depth image");
 }
 
+TEST_F(ScanNetReaders, FollowLinks)
+{
+    ScanNetScene::writeFolder(m_folder.path() / "elsewhere", 1);
+    for (const std::string name : {"color", "depth", "pose", "intrinsic"}) {
+        const fs::path target = m_folder.path() / "elsewhere" / name;
+        fs::create_directories(m_folder.path() / "linked" / name);
+        for (const auto& entry : fs::directory_iterator(target))
+            fs::create_symlink(entry.path(), m_folder.path() / "linked" / name /
+                                                 ("0" + entry.path().filename().string()));
+    }
+    fs::remove_all(m_folder.path() / "linked" / "intrinsic");
+    fs::create_directory_symlink(m_folder.path() / "elsewhere/intrinsic",
+                                 m_folder.path() / "linked/intrinsic");
+    RgbdRecord record;
+    EXPECT_TRUE(openDataset("scannet", m_folder.file("linked"))->next(record));
+}
+
 TEST_F(ScanNetReaders, NameWhatIsWrongInAFolder)
 {
     expectFailure("neither a .sens file nor color/0.jpg");

@@ -54,6 +54,7 @@ TEST(LabelMap, shippedFilesAreValid)
     const std::string folder = VOXELAND_LABELS;
     EXPECT_EQ(LabelMap::fromFile(folder + "/paper9.csv").classes(), LabelMap::paper9().classes());
     EXPECT_EQ(LabelMap::fromFile(folder + "/scannet18.csv").classes().size(), 18U);
+    EXPECT_EQ(LabelMap::fromFile(folder + "/paper_scannet.csv").classes().size(), 10U);
     EXPECT_EQ(LabelMap::fromFile(folder + "/coco80.csv").classes().size(), 80U);
 }
 

@@ -123,6 +123,17 @@ void compareReadings(CalibrationFinding& finding, const std::vector<FramePair>& 
     finding.best = better(finding.best, finding.otherFocalLength);
 }
 
+/** What makes a reading another one than that given. */
+std::string difference(const CalibrationReading& reading, double givenScale)
+{
+    std::ostringstream text;
+    if (reading.invertPoses) text << "inverted poses";
+    if (reading.depthScale != givenScale) text << "a depth scale of " << reading.depthScale;
+    if (reading.focalFactor != 1)
+        text << "focal lengths " << reading.focalFactor << " times as long";
+    return text.str();
+}
+
 /** What is wrong if this reading is right, and what to do. */
 std::string remedy(const CalibrationReading& reading, double givenScale)
 {
@@ -153,13 +164,14 @@ void judge(CalibrationFinding& f)
             "the frames do not agree, and neither other depth scales nor inverted poses explain it:"
             " the intrinsics or the poses are wrong, or things move";
     } else {
-        const double second = std::min(
-            {f.invertedPoses.relative, f.otherDepthScale.relative, f.otherFocalLength.relative});
-        const bool clear = second > AS_GOOD * given;
+        const CalibrationReading& other =
+            better(better(f.invertedPoses, f.otherDepthScale), f.otherFocalLength);
+        const bool clear = other.relative > AS_GOOD * given;
         f.verdict = clear ? Verdict::consistent : Verdict::undecided;
-        f.sentence = clear ? "depth scale, intrinsics and poses hold together"
-                           : "nothing contradicts depth scale, intrinsics and poses, but the camera"
-                             " moves too little to rule out others";
+        f.sentence = clear
+                         ? "depth scale, intrinsics and poses hold together"
+                         : "nothing contradicts depth scale, intrinsics and poses, but " +
+                               difference(other, f.asGiven.depthScale) + " would fit about as well";
     }
 }
 }  // namespace
@@ -167,8 +179,9 @@ void judge(CalibrationFinding& f)
 CalibrationFinding checkCalibration(const RgbdDatasetReader& dataset,
                                     const std::function<void(size_t read)>& progress)
 {
-    const auto pairs = pickFramePairs(dataset, progress);
+    const auto [pairs, unusable] = pickFramePairs(dataset, progress);
     CalibrationFinding finding;
+    finding.unusable = unusable;
     finding.pairs = pairs.size();
     if (!pairs.empty()) {
         finding.asGiven.depthScale = 1 / static_cast<double>(pairs.front().second->rangeUnits);

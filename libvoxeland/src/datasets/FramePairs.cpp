@@ -62,15 +62,20 @@ class SampleReader
         try {
             const RgbdRecord record = m_dataset.load(index);
             return PosedScan{record.scan, opticalPose(*record.robotPose)};
-        } catch (const UnusableFrame&) {
+        } catch (const UnusableFrame& e) {
+            ++m_unusable[e.what()];
             return std::nullopt;
         }
     }
+
+    /** Number of frames that could not be read, by reason. */
+    [[nodiscard]] const std::map<std::string, size_t>& unusable() const { return m_unusable; }
 
  private:
     const RgbdDatasetReader& m_dataset;
     const std::function<void(size_t)>& m_progress;
     size_t m_read = 0;
+    std::map<std::string, size_t> m_unusable;
 };
 
 double turnBetween(const mrpt::poses::CPose3D& a, const mrpt::poses::CPose3D& b)
@@ -79,13 +84,13 @@ double turnBetween(const mrpt::poses::CPose3D& a, const mrpt::poses::CPose3D& b)
 }
 }  // namespace
 
-std::vector<FramePair> pickFramePairs(const RgbdDatasetReader& dataset,
-                                      const std::function<void(size_t read)>& progress)
+FrameSample pickFramePairs(const RgbdDatasetReader& dataset,
+                           const std::function<void(size_t read)>& progress)
 {
     const std::vector<size_t> indices = dataset.selected();
     const size_t step = std::max<size_t>(1, indices.size() / FIRST_FRAMES);
     SampleReader reader(dataset, progress);
-    std::vector<FramePair> pairs;
+    FrameSample sample;
     for (size_t i = 0; i < indices.size(); i += step) {
         const auto first = reader.read(indices[i]);
         if (!first) continue;
@@ -101,9 +106,10 @@ std::vector<FramePair> pickFramePairs(const RgbdDatasetReader& dataset,
             farthest = second;
         }
         if (farthest)
-            pairs.push_back(
+            sample.pairs.push_back(
                 {samplePixels(*first->scan), farthest->scan, first->pose, farthest->pose});
     }
-    return pairs;
+    sample.unusable = reader.unusable();
+    return sample;
 }
 }  // namespace voxeland

@@ -7,7 +7,9 @@
 #include <mrpt/poses/CPose3D.h>
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace voxeland
@@ -27,10 +29,17 @@ struct FramePair
     mrpt::poses::CPose3D firstPose, secondPose;  //!< camera-to-world, of optical axes
 };
 
+/** Frames read to compare them. */
+struct FrameSample
+{
+    std::vector<FramePair> pairs;
+    std::map<std::string, size_t> unusable;  //!< number of frames that could not be read, by reason
+};
+
 /** Picks frames all over a dataset's selection, and for each of them, of some that follow, the one
  *  farthest away of those that look in a similar direction.
  *  \param progress called after each frame with the number read
  *  \throws InputError as the reader does */
-std::vector<FramePair> pickFramePairs(const RgbdDatasetReader& dataset,
-                                      const std::function<void(size_t read)>& progress);
+FrameSample pickFramePairs(const RgbdDatasetReader& dataset,
+                           const std::function<void(size_t read)>& progress);
 }  // namespace voxeland

@@ -4,6 +4,7 @@
 #include "voxeland/errors.h"
 #include "voxeland/io/GzInputFile.h"
 #include "voxeland/io/RawlogFiles.h"
+#include "voxeland/pipeline/PoseSource.h"
 
 #include <mrpt/img/CImage.h>
 #include <mrpt/maps/CSimpleMap.h>
@@ -15,8 +16,6 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -27,20 +26,14 @@ namespace voxeland
 {
 namespace
 {
-constexpr const char* TUM = "tum:";
-constexpr std::array<const char*, 4> POSE_SOURCES = {"robot_pose", "odometry", "actions",
-                                                     "simplemap"};
-
 PoseTrack initialPoses(const InputOptions& options)
 {
     const std::string& source = options.pose_source;
-    if (source.rfind(TUM, 0) == 0)
-        return PoseTrack::fromTumFile(source.substr(std::string(TUM).size()), options.max_pose_gap);
-    if (std::find(POSE_SOURCES.begin(), POSE_SOURCES.end(), source) == POSE_SOURCES.end())
-        throw ConfigurationError(
-            "[voxeland] pose_source = '" + source +
-            "' is not one of robot_pose, odometry, actions, simplemap, tum:<file>");
-    return PoseTrack(options.max_pose_gap);
+    const std::string problem = problemOfPoseSource(source);
+    if (!problem.empty()) throw ConfigurationError(problem);
+    const std::string tum = TUM_POSES;
+    if (source.rfind(tum, 0) != 0) return PoseTrack(options.max_pose_gap);
+    return PoseTrack::fromTumFile(source.substr(tum.size()), options.max_pose_gap);
 }
 
 /** Increment of the robot's pose in an action; none if it holds no movement. */

@@ -55,7 +55,7 @@ ReplicaReader::ReplicaReader(const std::string& folder, const DatasetOptions& op
     static const std::regex COLOUR(R"(frame(\d{1,15})\.(?:jpg|png))");
     std::vector<DatasetFrame> frames;
     for (const auto& [number, file] : numberedFiles(m_folder / "results", COLOUR))
-        frames.push_back({number, fs::relative(file, m_folder).string()});
+        frames.push_back({number, "results/" + file.filename().string()});
     if (frames.empty())
         throw InputError(folder +
                          " has no results/frame000000.jpg and so on, as Replica's scenes have that"
@@ -69,9 +69,8 @@ DatasetCameras ReplicaReader::findCameras()
     for (const fs::path& folder : {m_folder, fs::absolute(m_folder).lexically_normal() / ".."})
         if (const fs::path file = folder / "cam_params.json"; fs::exists(file))
             return camerasFrom(file.string());
-    addNote(
-        "there is no cam_params.json: the camera and depth scale of NICE-SLAM's files are"
-        " assumed");
+    if (!options().camera || !options().depthScale)
+        addNote("there is no cam_params.json: NICE-SLAM's camera and depth scale are assumed");
     return registeredCameras(DEFAULT_CAMERA, DEFAULT_DEPTH_SCALE);
 }
 

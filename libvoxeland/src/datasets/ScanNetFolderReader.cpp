@@ -24,7 +24,7 @@ ScanNetFolderReader::ScanNetFolderReader(const std::string& folder, const Datase
     static const std::regex COLOUR(R"((\d{1,15})\.(?:jpg|png))");
     std::vector<DatasetFrame> frames;
     for (const auto& [number, file] : numberedFiles(m_folder / "color", COLOUR))
-        frames.push_back({number, fs::relative(file, m_folder).string()});
+        frames.push_back({number, "color/" + file.filename().string()});
     if (frames.empty())
         throw InputError(folder +
                          " holds neither a .sens file nor color/0.jpg and so on, as"

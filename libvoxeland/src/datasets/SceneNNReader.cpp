@@ -60,7 +60,7 @@ SceneNNReader::SceneNNReader(const std::string& folder, const DatasetOptions& op
     static const std::regex COLOUR(R"(image(\d{1,15})\.png)");
     std::vector<DatasetFrame> frames;
     for (const auto& [number, file] : numberedFiles(m_folder / "image", COLOUR))
-        frames.push_back({number, fs::relative(file, m_folder).string()});
+        frames.push_back({number, "image/" + file.filename().string()});
     if (frames.empty() && isRecording(folder))
         throw InputError(folder +
                          " is an OpenNI recording: extract its images first with SceneNN's"
@@ -83,7 +83,7 @@ PinholeCamera SceneNNReader::findCamera()
     for (const fs::path& folder : {m_folder, fs::absolute(m_folder).lexically_normal() / ".."})
         for (const fs::path& file : {folder / "asus.ini", folder / "intrinsic" / "asus.ini"})
             if (fs::exists(file)) return cameraFrom(file);
-    addNote("there is no asus.ini: SceneNN's Asus camera is assumed");
+    if (!options().camera) addNote("there is no asus.ini: SceneNN's Asus camera is assumed");
     return DEFAULT_CAMERA;
 }
 

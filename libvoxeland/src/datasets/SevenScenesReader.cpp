@@ -67,8 +67,9 @@ SevenScenesReader::SevenScenesReader(const std::string& folder, const DatasetOpt
     std::vector<DatasetFrame> frames;
     for (const auto& sequence : sequences) {
         const int64_t offset = frames.empty() ? 0 : frames.back().number + 1;
+        const fs::path inFolder = sequence == folder ? fs::path() : sequence.filename();
         for (const auto& [number, stem] : findFrames(sequence)) {
-            frames.push_back({offset + number, fs::relative(colourFile(stem), folder).string()});
+            frames.push_back({offset + number, (inFolder / colourFile(stem).filename()).string()});
             m_stems.push_back(stem);
         }
     }

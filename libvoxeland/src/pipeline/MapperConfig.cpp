@@ -2,6 +2,7 @@
 #include "voxeland/pipeline/MapperConfig.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/pipeline/PoseSource.h"
 #include "voxeland/plugins/PluginLoader.h"
 
 #include <algorithm>
@@ -173,6 +174,8 @@ MapperConfig::MapperConfig(const Ini& ini)
     refinementList.load(ini, "refinement", problems.settings);
     if (input.depth.min_depth >= input.depth.max_depth)
         problems.settings.push_back("[voxeland] min_depth must be less than max_depth");
+    if (const std::string problem = problemOfPoseSource(input.pose_source); !problem.empty())
+        problems.settings.push_back(problem);
     try {
         OccupancyFilter check(map.occupancy);
     } catch (const std::invalid_argument& e) {

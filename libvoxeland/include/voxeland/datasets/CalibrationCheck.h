@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,8 @@ struct CalibrationFinding
         nothing         //!< no frames that could be compared
     };
 
-    size_t pairs = 0;  //!< of frames compared
+    size_t pairs = 0;                        //!< of frames compared
+    std::map<std::string, size_t> unusable;  //!< frames of the sample left out, by reason
     CalibrationReading asGiven;
     CalibrationReading invertedPoses;     //!< all else as given
     CalibrationReading otherDepthScale;   //!< the best of the common ones
@@ -43,6 +45,9 @@ struct CalibrationFinding
     CalibrationReading best;              //!< of all, poses and scale also wrong together
     Verdict verdict = Verdict::nothing;
     std::string sentence;  //!< the verdict in words, with what to do
+
+    /** All of it, to be read. */
+    [[nodiscard]] std::string text() const;
 };
 
 /** Do depth scale, intrinsics and pose convention of a dataset hold together? Reads a sample of the
