@@ -8,7 +8,6 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <cmath>
-#include <cstring>
 
 using namespace voxeland;
 using test::ScanNetScene;

@@ -2,7 +2,6 @@
 #pragma once
 #include "voxeland/datasets/RgbdDatasetReader.h"
 
-#include <cstdint>
 #include <filesystem>
 
 namespace voxeland
