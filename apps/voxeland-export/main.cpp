@@ -198,8 +198,8 @@ void writeFile(TCLAP::ValueArg<std::string>& output,
 void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
 {
     writePly(arguments, map);
-    writeFile(arguments.json, [&](const std::string& file) { exportJson(map, file); });
-    writeFile(arguments.csv, [&](const std::string& file) { exportCsv(map, file); });
+    writeFile(arguments.json, [&](const std::string& file) { exportJson(map, frame, file); });
+    writeFile(arguments.csv, [&](const std::string& file) { exportCsv(map, frame, file); });
     writeFile(arguments.glb, [&](const std::string& file) { exportGlb(map, frame, file); });
     writeFile(arguments.scene, [&](const std::string& file) { exportScene(map, frame, file); });
     writeFile(arguments.octomap, [&](const std::string& file) { exportOctoMap(map, file); });

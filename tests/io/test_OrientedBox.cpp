@@ -79,7 +79,7 @@ TEST(OrientedBox, isUprightWhereverUpIs)
 
 TEST(OrientedBox, onlyOccupiedVoxelsOfTheWinner)
 {
-    const auto boxes = orientedBoxes(test::tinyMap());
+    const auto boxes = orientedBoxes(test::tinyMap(), LevelFrame());
     ASSERT_EQ(boxes.size(), 2U);
     EXPECT_NEAR(boxes.at(2).center.x, 0.15, 1e-9);
     EXPECT_NEAR(boxes.at(2).size.z, 0.1, 1e-9);

@@ -6,6 +6,7 @@
 #include "voxeland/io/MapPly.h"
 #include "voxeland/io/MapViews.h"
 #include "voxeland/io/OutputFolder.h"
+#include "voxeland/io/UpDirection.h"
 
 namespace voxeland
 {
@@ -15,9 +16,12 @@ std::vector<std::string> exportAll(const SemanticVoxelMap& map, const std::strin
     std::vector<std::string> files = {folder + "/map.ply", folder + "/instances.json",
                                       folder + "/instances.csv"};
     exportPly(map, files[0]);
-    exportJson(map, files[1]);
-    exportCsv(map, files[2]);
-    const auto views = exportViews(map, folder);
+    const LevelFrame frame(estimateUp(map));
+    exportJson(map, frame, files[1]);
+    exportCsv(map, frame, files[2]);
+    ViewOptions options;
+    options.up = frame.axes()[2];
+    const auto views = exportViews(map, folder, options);
     files.insert(files.end(), views.begin(), views.end());
     return files;
 }

@@ -71,10 +71,7 @@ struct Part
 
 std::vector<Part> partsOf(const SemanticVoxelMap& map)
 {
-    std::map<instance_id_t, std::vector<VoxelCoord>> voxels;
-    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
-        voxels[evidence.winner()].push_back(v);
-    });
+    const auto voxels = voxelsByWinner(map);
     std::vector<Part> parts;
     const auto colors = instanceColors(map);
     for (const InstanceSummary& s : summarizeInstances(map))

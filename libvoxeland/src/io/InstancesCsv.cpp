@@ -23,9 +23,9 @@ std::string quoted(const std::string& text)
 }
 }  // namespace
 
-void exportCsv(const SemanticVoxelMap& map, const std::string& file)
+void exportCsv(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file)
 {
-    const auto boxes = orientedBoxes(map);
+    const auto boxes = orientedBoxes(map, frame);
     writeAtomically(file, [&](std::ostream& out) {
         out << HEADER << "\n";
         for (const InstanceSummary& s : summarizeInstances(map)) {

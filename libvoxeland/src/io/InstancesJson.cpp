@@ -66,9 +66,9 @@ std::string toText(const json_t& json)
     return json.dump(2, ' ', false, json_t::error_handler_t::replace) + "\n";
 }
 
-std::string instancesAsJson(const SemanticVoxelMap& map)
+std::string instancesAsJson(const SemanticVoxelMap& map, const LevelFrame& frame)
 {
-    const auto boxes = orientedBoxes(map);
+    const auto boxes = orientedBoxes(map, frame);
     json_t json;
     json["map"] = mapAsJson(map);
     json["instances"] = json_t::object();
@@ -77,8 +77,8 @@ std::string instancesAsJson(const SemanticVoxelMap& map)
     return toText(json);
 }
 
-void exportJson(const SemanticVoxelMap& map, const std::string& file)
+void exportJson(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file)
 {
-    writeAtomically(file, [&](std::ostream& out) { out << instancesAsJson(map); });
+    writeAtomically(file, [&](std::ostream& out) { out << instancesAsJson(map, frame); });
 }
 }  // namespace voxeland

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/MapAnswers.h"
 
+#include "voxeland/io/UpDirection.h"
+
 #include <algorithm>
 #include <cctype>
 #include <limits>
@@ -16,9 +18,9 @@ std::string lowerCase(std::string text)
     return text;
 }
 
-std::vector<FoundInstance> allInstances(const SemanticVoxelMap& map)
+std::vector<FoundInstance> allInstances(const SemanticVoxelMap& map, const LevelFrame& frame)
 {
-    const auto boxes = orientedBoxes(map);
+    const auto boxes = orientedBoxes(map, frame);
     std::vector<FoundInstance> all;
     for (InstanceSummary& s : summarizeInstances(map)) {
         const OrientedBox& box = boxes.at(s.id);
@@ -58,7 +60,12 @@ MapOverview overviewOf(const SemanticVoxelMap& map, const MappingCounts& counts)
 
 std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map)
 {
-    auto all = allInstances(map);
+    return listInstances(map, LevelFrame(estimateUp(map)));
+}
+
+std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map, const LevelFrame& frame)
+{
+    auto all = allInstances(map, frame);
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
         const uint32_t va = a.summary.voxels, vb = b.summary.voxels;
         return va != vb ? va > vb : a.summary.probability() > b.summary.probability();
@@ -71,7 +78,7 @@ std::vector<FoundInstance> findInstances(const SemanticVoxelMap& map, const std:
 {
     const std::string wanted = lowerCase(category);
     std::vector<FoundInstance> exact, similar;
-    for (FoundInstance& f : allInstances(map)) {
+    for (FoundInstance& f : allInstances(map, LevelFrame(estimateUp(map)))) {
         f.distance = (f.summary.centroid - from).norm();
         const std::string name = lowerCase(f.summary.category());
         if (name == wanted)

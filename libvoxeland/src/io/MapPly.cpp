@@ -119,21 +119,17 @@ std::vector<std::string> exportPlyPerInstance(const SemanticVoxelMap& map,
                                               const std::string& folder, bool occupiedOnly)
 {
     makeOutputFolder(folder);
-    std::map<instance_id_t, std::vector<VoxelCoord>> voxels;
-    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t,
-                         const VoxelEvidence& evidence) { voxels[evidence.winner()].push_back(v); },
-                     occupiedOnly);
     const auto categories = topCategories(map);
     PlyWriter writer(map);
     std::vector<std::string> files;
-    for (const auto& [id, list] : voxels) {
+    for (const auto& [id, voxels] : voxelsByWinner(map, occupiedOnly)) {
         const auto category = categories.find(id);
         const bool none = category == categories.end();
         const std::string name =
             none ? UNKNOWN_CATEGORY
                  : map.categories().name(static_cast<category_id_t>(category->second));
         files.push_back(folder + "/" + fileNameOf(id, name));
-        writer.write(list, files.back());
+        writer.write(voxels, files.back());
     }
     return files;
 }

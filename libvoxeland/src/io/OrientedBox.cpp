@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/OrientedBox.h"
 
-#include "voxeland/io/UpDirection.h"
+#include "voxeland/map/MapQueries.h"
 
 #include <algorithm>
 #include <array>
@@ -71,17 +71,9 @@ OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution
 std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map,
                                                    const LevelFrame& frame)
 {
-    std::map<instance_id_t, std::vector<VoxelCoord>> voxels;
-    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
-        if (evidence.winner() != UNKNOWN_INSTANCE) voxels[evidence.winner()].push_back(v);
-    });
     std::map<instance_id_t, OrientedBox> boxes;
-    for (const auto& [id, list] : voxels) boxes[id] = orientedBox(list, map.resolution(), frame);
+    for (const auto& [id, voxels] : voxelsByWinner(map))
+        if (id != UNKNOWN_INSTANCE) boxes[id] = orientedBox(voxels, map.resolution(), frame);
     return boxes;
-}
-
-std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map)
-{
-    return orientedBoxes(map, LevelFrame(estimateUp(map)));
 }
 }  // namespace voxeland

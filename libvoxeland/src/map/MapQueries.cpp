@@ -106,6 +106,16 @@ std::vector<InstanceSummary> summarizeInstances(const SemanticVoxelMap& map)
     return summaries;
 }
 
+std::map<instance_id_t, std::vector<VoxelCoord>> voxelsByWinner(const SemanticVoxelMap& map,
+                                                                bool occupiedOnly)
+{
+    std::map<instance_id_t, std::vector<VoxelCoord>> voxels;
+    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t,
+                         const VoxelEvidence& evidence) { voxels[evidence.winner()].push_back(v); },
+                     occupiedOnly);
+    return voxels;
+}
+
 VoxelUncertainty::VoxelUncertainty(const SemanticVoxelMap& map) : m_map(map)
 {
     for (const auto& [id, instance] : map.instances()) {

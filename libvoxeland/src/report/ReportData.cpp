@@ -149,12 +149,12 @@ std::string reportData(const SemanticVoxelMap& map, const MappingCounts& counts,
     viewOptions.up = options.up ? *options.up : estimateUp(map);
     viewOptions.height = 800;
     const MapViews views = drawViews(map, viewOptions);
-    const std::vector<FoundInstance> instances = listInstances(map);
+    const LevelFrame frame(*viewOptions.up);
+    const std::vector<FoundInstance> instances = listInstances(map, frame);
     json data = {{"title", options.title},           {"timing", options.timing},
                  {"evaluation", options.evaluation}, {"summary", summaryOf(map, counts)},
                  {"resolution", map.resolution()},   {"azimuth", views.azimuth},
                  {"unknown", hex(UNKNOWN_COLOR)},    {"instances", instancesOf(map, instances)}};
-    const LevelFrame frame(*viewOptions.up);
     for (const auto& axis : frame.axes()) data["axes"].push_back(list(axis));
     constexpr int TONES = 64;
     for (int i = 0; i < TONES; ++i)

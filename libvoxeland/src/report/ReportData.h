@@ -6,7 +6,7 @@
 
 namespace voxeland
 {
-/** What page.js draws, as JSON text on one line:
+/** What table.js and scene.js draw, as JSON text on one line:
  *  - `title`, `timing`, `evaluation`: texts, the latter two may be empty;
  *  - `summary`: list of pairs of texts;
  *  - `resolution` [m], `azimuth` (MapViews::azimuth);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/map/SemanticVoxelMap.h"
+#include "voxeland/io/LevelFrame.h"
 
 #include <string>
 
@@ -10,6 +10,6 @@ namespace voxeland
  *  line, names quoted where needed). Columns: id, category, probability, entropy, vacuity,
  *  geometric_entropy, observations, voxels, centroid_x|y|z, min_x|y|z and max_x|y|z (axis-aligned
  *  box), box_x|y|z, box_length, box_width, box_height, box_yaw (OrientedBox). Metres, radians,
- * nats. \throws OutputError if the file cannot be written */
-void exportCsv(const SemanticVoxelMap& map, const std::string& file);
+ *  nats. \param frame tells where up is \throws OutputError if the file cannot be written */
+void exportCsv(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
 }  // namespace voxeland

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/map/SemanticVoxelMap.h"
+#include "voxeland/io/LevelFrame.h"
 
 #include <string>
 
@@ -25,8 +25,8 @@ namespace voxeland
  *  `bbox`, `results` and `n_observations` are what upstream Voxeland's tools read. The
  *  sides of `oriented_box` go along its `axes`, unit vectors, the last one being up (see
  * OrientedBox). */
-std::string instancesAsJson(const SemanticVoxelMap& map);
+std::string instancesAsJson(const SemanticVoxelMap& map, const LevelFrame& frame);
 
 /** Writes instancesAsJson() to a file. \throws OutputError if that fails */
-void exportJson(const SemanticVoxelMap& map, const std::string& file);
+void exportJson(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
 }  // namespace voxeland

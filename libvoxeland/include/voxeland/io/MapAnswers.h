@@ -34,6 +34,8 @@ struct FoundInstance
 
 /** All instances with an occupied voxel: those of most voxels first, the surer first of equals. */
 std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map);
+/** The same. \param frame tells where up is; estimateUp() otherwise */
+std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map, const LevelFrame& frame);
 
 /** Instances whose most probable category has this name, ignoring case; if there is none, those
  *  whose category contains the text ("table" finds "dining table"). The nearest first.

@@ -26,6 +26,4 @@ OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution
  *  \param frame tells what is horizontal */
 std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map,
                                                    const LevelFrame& frame);
-/** The same, level by estimateUp(). */
-std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map);
 }  // namespace voxeland

@@ -64,6 +64,11 @@ struct InstanceSummary
  * the map. */
 std::vector<InstanceSummary> summarizeInstances(const SemanticVoxelMap& map);
 
+/** The voxels that each instance wins; *unknown* is among them.
+ * \param occupiedOnly as in SemanticVoxelMap::forEachVoxel() */
+std::map<instance_id_t, std::vector<VoxelCoord>> voxelsByWinner(const SemanticVoxelMap& map,
+                                                                bool occupiedOnly = true);
+
 /** Entropies of voxels; remembers each instance's category distribution, so that a pass over a
  * whole map is cheap. Holds a reference to the map, which must not change meanwhile. */
 class VoxelUncertainty
