@@ -244,7 +244,7 @@ int run(int argc, char** argv)
     if (arguments.up.isSet()) up = apps::parseDirection("up", arguments.up.getValue());
 
     SemanticVoxelMap map = loadMap(arguments.map.getValue())->map();
-    if (arguments.minVoxels.isSet()) dropSmallInstances(map, arguments.minVoxels.getValue());
+    if (arguments.minVoxels.isSet()) dismissSmallInstances(map, arguments.minVoxels.getValue());
     writeAll(arguments, map, LevelFrame(up ? *up : estimateUp(map)));
     return 0;
 }

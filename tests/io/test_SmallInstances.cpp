@@ -11,10 +11,9 @@ TEST(SmallInstances, becomeUnknown)
 {
     SemanticVoxelMap map = test::tinyMap();
     test::addVoxel(map, {0, 1, 0}, {{1, 5}});
-    dropSmallInstances(map, 2);  // the cup wins one voxel only
+    dismissSmallInstances(map, 2);  // the cup wins one voxel only
     ASSERT_EQ(summarizeInstances(map).size(), 1U);
     EXPECT_EQ(summarizeInstances(map)[0].id, 1U);
-    EXPECT_EQ(map.evidence({1, 0, 0})->winner(), UNKNOWN_INSTANCE);
-    dropSmallInstances(map, 2);
-    EXPECT_EQ(map.instances().size(), 1U);
+    EXPECT_EQ(map.winner(*map.evidence({1, 0, 0})), UNKNOWN_INSTANCE);
+    EXPECT_EQ(map.dismissed().size(), 1U);
 }

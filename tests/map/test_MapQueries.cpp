@@ -91,11 +91,11 @@ TEST(MapQueries, VoxelEntropyAndWinnerByHand)
 {
     const auto map = smallMap();
     const VoxelEvidence& shared = *map.evidence({0, 0, 0});
-    EXPECT_DOUBLE_EQ(winnerProbability(shared), 0.6);
+    EXPECT_DOUBLE_EQ(winnerProbability(SemanticVoxelMap(), shared), 0.6);
     EXPECT_NEAR(instanceEntropy(map, shared),
                 harmonic(10) - (6 * harmonic(6) + 3 * harmonic(3) + harmonic(1)) / 10, 1e-10);
     EXPECT_EQ(instanceEntropy(map, *map.evidence({-1, 0, 0})), 0);
-    EXPECT_EQ(winnerProbability(VoxelEvidence()), 0);
+    EXPECT_EQ(winnerProbability(SemanticVoxelMap(), VoxelEvidence()), 0);
 }
 
 TEST(MapQueries, CategoriesOfAVoxelFollowTotalProbability)

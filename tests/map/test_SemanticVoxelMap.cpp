@@ -94,7 +94,7 @@ TEST(SemanticVoxelMap, MergingSplittingAndDroppingConserveEvidence)
     part.resize(part.size() / 2);
     const instance_id_t half = map.split(2, part, 0.25, 0).id;
     map.merge(half, 1, 0);
-    map.drop(3);
+    map.dismiss(3);
     EXPECT_EQ(evidenceInVoxels(map), added);
     expectConsistent(map);
 
@@ -142,21 +142,37 @@ TEST(SemanticVoxelMap, OldIdsResolveThroughChainsOfMerges)
     EXPECT_EQ(map.resolve(1), 5u);
     EXPECT_EQ(map.resolve(2), 5u);
     EXPECT_EQ(map.resolve(4), 4u);
-    map.drop(5);
-    EXPECT_EQ(map.resolve(1), UNKNOWN_INSTANCE);
     EXPECT_EQ(map.resolve(77), UNKNOWN_INSTANCE);
     EXPECT_EQ(map.createInstance().id, 6u);
 }
 
-TEST(SemanticVoxelMap, DroppedEvidenceCountsForUnknown)
+TEST(SemanticVoxelMap, DismissedInstancesLoseTheirVoxelsAndKeepTheirEvidence)
 {
     SemanticVoxelMap map;
-    const instance_id_t id = map.createInstance().id;
-    map.addEvidence({1, 2, -3}, id, 4);
-    map.addEvidence({1, 2, -3}, UNKNOWN_INSTANCE, 1);
-    map.drop(id);
-    EXPECT_EQ(map.evidence({1, 2, -3})->alphaOf(UNKNOWN_INSTANCE), 5);
-    EXPECT_TRUE(map.instances().empty());
+    const instance_id_t weak = map.createInstance().id, other = map.createInstance().id;
+    const VoxelCoord shared{1, 2, -3}, alone{4, 0, 0};
+    map.addEvidence(shared, weak, 4);
+    map.addEvidence(shared, other, 1);
+    map.addEvidence(alone, weak, 2);
+    const auto winnerAt = [&](const VoxelCoord& v) { return map.winner(*map.evidence(v)); };
+    EXPECT_EQ(winnerAt(shared), weak);
+    map.dismiss(weak);
+    EXPECT_EQ(winnerAt(shared), other);
+    EXPECT_EQ(winnerAt(alone), UNKNOWN_INSTANCE);
+    EXPECT_EQ(map.evidence(shared)->alphaOf(weak), 4);
+    EXPECT_EQ(map.instance(weak).voxels, 2u);
+    map.readmit(weak);
+    EXPECT_EQ(winnerAt(shared), weak);
+    EXPECT_THROW(map.dismiss(77), std::out_of_range);
+}
+
+TEST(SemanticVoxelMap, AnAbsorbedInstanceIsNoLongerDismissed)
+{
+    SemanticVoxelMap map;
+    const instance_id_t a = map.createInstance().id, b = map.createInstance().id;
+    map.dismiss(b);
+    map.merge(a, b, 0);
+    EXPECT_TRUE(map.dismissed().empty());
 }
 
 TEST(SemanticVoxelMap, VisitsVoxelsInOrderAndOccupiedOnesOnlyByDefault)
@@ -199,7 +215,7 @@ TEST(SemanticVoxelMap, CopiesAreIndependent)
     for (int i = 0; i < 10; ++i) map.addEvidence({0, 0, 0}, map.createInstance().id, 1);
     SemanticVoxelMap copy = map;
     copy.addEvidence({0, 0, 0}, id, 1);
-    copy.drop(2);
+    copy.merge(1, 2, 0);
     EXPECT_EQ(map.evidence({0, 0, 0})->size(), 10u);
     EXPECT_EQ(map.instance(id).voxels, 0u);
     expectConsistent(copy);

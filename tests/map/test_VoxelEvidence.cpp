@@ -96,16 +96,16 @@ TEST(VoxelEvidence, FourEntriesNeedNoHeap)
 TEST(VoxelEvidence, WinnerIsTheFirstOfTheStrongestAndUnknownTheLast)
 {
     VoxelEvidence evidence;
-    EXPECT_EQ(evidence.winner(), UNKNOWN_INSTANCE);
+    EXPECT_EQ(evidence.strongest(), UNKNOWN_INSTANCE);
     EXPECT_EQ(evidence.total(), 0);
     evidence.add(UNKNOWN_INSTANCE, 2);
-    EXPECT_EQ(evidence.winner(), UNKNOWN_INSTANCE);
+    EXPECT_EQ(evidence.strongest(), UNKNOWN_INSTANCE);
     evidence.add(7, 2);
-    EXPECT_EQ(evidence.winner(), 7u) << "unknown loses ties";
+    EXPECT_EQ(evidence.strongest(), 7u) << "unknown loses ties";
     evidence.add(3, 2);
-    EXPECT_EQ(evidence.winner(), 3u) << "the instance with the smaller id was seen first";
+    EXPECT_EQ(evidence.strongest(), 3u) << "the instance with the smaller id was seen first";
     evidence.add(7, 0.5F);
-    EXPECT_EQ(evidence.winner(), 7u);
+    EXPECT_EQ(evidence.strongest(), 7u);
     evidence.add(UNKNOWN_INSTANCE, 1);
-    EXPECT_EQ(evidence.winner(), UNKNOWN_INSTANCE);
+    EXPECT_EQ(evidence.strongest(), UNKNOWN_INSTANCE);
 }

@@ -252,3 +252,23 @@ TEST(Refinement, OverlapsAreThoseOfBruteForce)
     }
     EXPECT_EQ(counts.merges, 0U);
 }
+
+TEST(Dismissal, TakesTooLittleEvidenceAndTooLongOutOfSightTogether)
+{
+    SemanticVoxelMap map = handMadeMap();
+    addBox(map, addInstance(map, "cup", 1.4, 9), {0, 0, 0}, {2, 2, 2});    // weak, long ago
+    addBox(map, addInstance(map, "cup", 1.6, 9), {20, 0, 0}, {2, 2, 2});   // enough evidence
+    addBox(map, addInstance(map, "cup", 1.4, 10), {40, 0, 0}, {2, 2, 2});  // within patience
+    RefinementOptions options;
+    options.min_evidence = 1.5;
+    options.patience = 20;
+    MappingCounts counts;
+    counts.frames = 30;
+    refine(map, *evidentialPolicy(), options, 0, counts);
+    EXPECT_EQ(map.dismissed(), std::set<instance_id_t>{1});
+    EXPECT_EQ(map.instance(1).voxels, 8U) << "the record is kept";
+
+    map.instance(1).categories.add(map.categories().add("cup"), 0.2);  // seen again
+    refine(map, *evidentialPolicy(), options, 0, counts);
+    EXPECT_TRUE(map.dismissed().empty());
+}

@@ -120,8 +120,9 @@ EvaluatedScene compare(const SemanticVoxelMap& map, const GroundTruth& truth,
         PointRecord& r = records[i];
         if (truth.instance[i] != 0) r.object = objects.at(truth.instance[i]);
         const VoxelEvidence* evidence = matching.find(truth.points[i]);
-        if (evidence == nullptr || evidence->winner() == UNKNOWN_INSTANCE) continue;
-        r.instance = instances.at(evidence->winner());
+        const instance_id_t winner = evidence == nullptr ? UNKNOWN_INSTANCE : map.winner(*evidence);
+        if (winner == UNKNOWN_INSTANCE) continue;
+        r.instance = instances.at(winner);
         r.entropy = static_cast<float>(instanceEntropy(map, *evidence));
     }
     addOverlaps(records, scene);

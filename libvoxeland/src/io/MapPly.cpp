@@ -78,7 +78,7 @@ class PlyWriter
         const VoxelEvidence& evidence = *m_map.evidence(v);
         const auto at = voxelCenter<mrpt::math::TPoint3D>(v, m_map.resolution());
         for (const double x : {at.x, at.y, at.z}) body << static_cast<float>(x);
-        const instance_id_t id = evidence.winner();
+        const instance_id_t id = m_map.winner(evidence);
         const Color& color = m_colors.at(id);
         body << color.red << color.green << color.blue << static_cast<int32_t>(id);
         const auto category = m_categories.find(id);

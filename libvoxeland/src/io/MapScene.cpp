@@ -66,7 +66,7 @@ std::shared_ptr<mrpt::opengl::COctoMapVoxels> voxelCubes(const SemanticVoxelMap&
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
         const auto center = voxelCenter<TPoint3D>(v, map.resolution());
         cubes->push_back_Voxel(
-            0, {mrpt::math::TPoint3Df(center), edge, toMrpt(colors.at(evidence.winner()))});
+            0, {mrpt::math::TPoint3Df(center), edge, toMrpt(colors.at(map.winner(evidence)))});
         for (size_t a = 0; a < 3; ++a) {
             least[a] = std::min(least[a], center[a] - map.resolution() / 2);
             most[a] = std::max(most[a], center[a] + map.resolution() / 2);

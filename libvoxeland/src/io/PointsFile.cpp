@@ -40,7 +40,7 @@ CSimplePointsMap pointsOf(const SemanticVoxelMap& map, const PointsFilter& filte
     CSimplePointsMap points;
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
         const auto p = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
-        if (wanted.count(evidence.winner()) > 0 &&
+        if (wanted.count(map.winner(evidence)) > 0 &&
             filter.heights.contains(filter.frame.toLevel(p).z))
             points.insertPoint(p);
     });

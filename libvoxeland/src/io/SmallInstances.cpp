@@ -5,12 +5,9 @@
 
 namespace voxeland
 {
-void dropSmallInstances(SemanticVoxelMap& map, uint32_t minVoxels)
+void dismissSmallInstances(SemanticVoxelMap& map, uint32_t minVoxels)
 {
-    std::map<instance_id_t, uint32_t> won;
-    for (const auto& [id, instance] : map.instances()) won[id] = 0;
-    for (const InstanceSummary& s : summarizeInstances(map)) won[s.id] = s.voxels;
-    for (const auto& [id, voxels] : won)
-        if (voxels < minVoxels) map.drop(id);
+    for (const InstanceSummary& s : summarizeInstances(map))
+        if (s.voxels < minVoxels) map.dismiss(s.id);
 }
 }  // namespace voxeland

@@ -35,7 +35,7 @@ VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame)
     std::vector<VoxelCoord> coords;
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
         const cv::Vec3f center = toLevel(voxelCenter<mrpt::math::TPoint3D>(v, m_resolution));
-        m_voxels.push_back({center, &evidence, evidence.winner(), 0});
+        m_voxels.push_back({center, &evidence, map.winner(evidence), 0});
         coords.push_back(v);
     });
     if (m_voxels.empty()) return;

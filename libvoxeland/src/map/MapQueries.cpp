@@ -62,10 +62,17 @@ double categoryVacuity(const SemanticVoxelMap& map, const Instance& instance)
     return prior > 0 ? vacuity(prior, instance.evidence().total()) : 0;
 }
 
-double winnerProbability(const VoxelEvidence& evidence)
+double winnerProbability(const SemanticVoxelMap& map, const VoxelEvidence& evidence)
 {
-    const double total = static_cast<double>(evidence.total());
-    return total > 0 ? static_cast<double>(evidence.alphaOf(evidence.winner())) / total : 0;
+    const instance_id_t winner = map.winner(evidence);
+    double forWinner = 0, total = 0;
+    for (const auto& e : evidence) {
+        const bool isUnknown = map.isDismissed(e.instance);
+        if ((isUnknown ? UNKNOWN_INSTANCE : e.instance) == winner)
+            forWinner += static_cast<double>(e.alpha);
+        total += static_cast<double>(e.alpha);
+    }
+    return total > 0 ? forWinner / total : 0;
 }
 
 double instanceEntropy(const SemanticVoxelMap& map, const VoxelEvidence& evidence)
@@ -81,7 +88,7 @@ std::vector<InstanceSummary> summarizeInstances(const SemanticVoxelMap& map)
     std::map<instance_id_t, InstanceSummary> byId;
     const double half = map.resolution() / 2;
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
-        const instance_id_t id = evidence.winner();
+        const instance_id_t id = map.winner(evidence);
         if (id == UNKNOWN_INSTANCE) return;
         const auto [at, isNew] = byId.try_emplace(id);
         if (isNew) {
@@ -111,7 +118,7 @@ std::map<instance_id_t, std::vector<VoxelCoord>> voxelsByWinner(const SemanticVo
 {
     std::map<instance_id_t, std::vector<VoxelCoord>> voxels;
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t,
-                         const VoxelEvidence& evidence) { voxels[evidence.winner()].push_back(v); },
+                         const VoxelEvidence& evidence) { voxels[map.winner(evidence)].push_back(v); },
                      occupiedOnly);
     return voxels;
 }
@@ -119,6 +126,7 @@ std::map<instance_id_t, std::vector<VoxelCoord>> voxelsByWinner(const SemanticVo
 VoxelUncertainty::VoxelUncertainty(const SemanticVoxelMap& map) : m_map(map)
 {
     for (const auto& [id, instance] : map.instances()) {
+        if (map.isDismissed(id)) continue;
         m_distributions[id] = categoryDistribution(map, instance);
         m_entropies[id] = voxeland::categoryEntropy(map, instance);
     }
@@ -153,7 +161,7 @@ double VoxelUncertainty::instanceEntropy(const VoxelEvidence& evidence) const
 
 double VoxelUncertainty::winnerCategoryEntropy(const VoxelEvidence& evidence) const
 {
-    const auto at = m_entropies.find(evidence.winner());
+    const auto at = m_entropies.find(m_map.winner(evidence));
     return at == m_entropies.end() ? 0 : at->second;
 }
 }  // namespace voxeland

@@ -49,7 +49,7 @@ void SemanticVoxelMap::writeTo(CArchive& out) const
 {
     out << VERSION;
     write(out, m_options);
-    out << m_categories.names() << m_nextInstance << m_absorbed;
+    out << m_categories.names() << m_nextInstance << m_absorbed << m_dismissed;
     out << static_cast<uint32_t>(m_instances.size());
     for (const auto& [id, instance] : m_instances) write(out, instance);
     out << static_cast<uint32_t>(m_blocks.size());
@@ -64,7 +64,7 @@ void SemanticVoxelMap::readFrom(CArchive& in)
                                  " is not known: it was written by another Voxeland");
     SemanticVoxelMap read(readOptions(in));
     std::vector<std::string> names;
-    in >> names >> read.m_nextInstance >> read.m_absorbed;
+    in >> names >> read.m_nextInstance >> read.m_absorbed >> read.m_dismissed;
     for (const auto& [absorbed, survivor] : read.m_absorbed)
         if (absorbed == survivor || absorbed >= read.m_nextInstance)
             throw std::runtime_error("corrupt map: an impossible merge");
@@ -76,6 +76,9 @@ void SemanticVoxelMap::readFrom(CArchive& in)
             !read.m_instances.emplace(id, std::move(i)).second)
             throw std::runtime_error("corrupt map: an instance numbered " + std::to_string(id));
     }
+    for (const instance_id_t id : read.m_dismissed)
+        if (read.m_instances.count(id) == 0)
+            throw std::runtime_error("corrupt map: an instance dismissed that it lacks");
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         const VoxelCoord coord = readBlockCoord(in);
         MapBlock& block = read.m_blocks.at(coord);

@@ -122,33 +122,32 @@ void SemanticVoxelMap::moveEvidence(MapBlock& block, const VoxelCoord& blockCoor
     VoxelEvidence* evidence = block.evidence(cell);
     if (evidence == nullptr || !(evidence->alphaOf(from) > 0)) return;
     changeEvidence(*evidence, [&](VoxelEvidence& e) { e.add(to, e.remove(from)); });
-    if (to != UNKNOWN_INSTANCE) m_instances.at(to).blocks.insert(blockCoord);
+    m_instances.at(to).blocks.insert(blockCoord);
 }
 
 void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed, uint32_t frame)
 {
     if (survivor == absorbed) throw std::invalid_argument("an instance cannot absorb itself");
+    Instance& to = m_instances.at(survivor);
     Instance& from = m_instances.at(absorbed);
     for (const VoxelCoord& b : from.blocks) {
         MapBlock& block = *m_blocks.find(b);
         block.surface().forEach(
             [&](int cell) { moveEvidence(block, b, cell, absorbed, survivor); });
     }
-    if (survivor != UNKNOWN_INSTANCE) {
-        Instance& to = m_instances.at(survivor);
-        to.categories.add(from.categories);
-        to.observations += from.observations;
-        to.firstFrame = std::min(to.firstFrame, from.firstFrame);
-        to.lastFrame = std::max(to.lastFrame, from.lastFrame);
-        to.tracks.insert(from.tracks.begin(), from.tracks.end());
-        to.views.add(from.views, m_options.views);
-        to.decisions.insert(to.decisions.end(), from.decisions.begin(), from.decisions.end());
-        for (const InstanceEvent& event : from.history) remember(to.history, event);
-        std::stable_sort(to.history.begin(), to.history.end(),
-                         [](const auto& a, const auto& b) { return a.frame < b.frame; });
-        remember(to.history, {InstanceEvent::Kind::merged, frame, survivor, absorbed});
-    }
+    to.categories.add(from.categories);
+    to.observations += from.observations;
+    to.firstFrame = std::min(to.firstFrame, from.firstFrame);
+    to.lastFrame = std::max(to.lastFrame, from.lastFrame);
+    to.tracks.insert(from.tracks.begin(), from.tracks.end());
+    to.views.add(from.views, m_options.views);
+    to.decisions.insert(to.decisions.end(), from.decisions.begin(), from.decisions.end());
+    for (const InstanceEvent& event : from.history) remember(to.history, event);
+    std::stable_sort(to.history.begin(), to.history.end(),
+                     [](const auto& a, const auto& b) { return a.frame < b.frame; });
+    remember(to.history, {InstanceEvent::Kind::merged, frame, survivor, absorbed});
     m_instances.erase(absorbed);
+    m_dismissed.erase(absorbed);
     m_absorbed[absorbed] = survivor;
 }
 
@@ -180,11 +179,6 @@ Instance& SemanticVoxelMap::split(instance_id_t from, const std::vector<VoxelCoo
     return part;
 }
 
-void SemanticVoxelMap::drop(instance_id_t id)
-{
-    merge(UNKNOWN_INSTANCE, id, 0);
-}
-
 std::vector<mrpt::math::TPoint3Df> SemanticVoxelMap::centersOf(const Instance& instance) const
 {
     std::vector<mrpt::math::TPoint3Df> centers;
@@ -195,6 +189,19 @@ std::vector<mrpt::math::TPoint3Df> SemanticVoxelMap::centersOf(const Instance& i
                     voxelCenter<mrpt::math::TPoint3Df>(voxelAt(b, cell), m_options.resolution));
         });
     return centers;
+}
+
+void SemanticVoxelMap::dismiss(instance_id_t id)
+{
+    m_dismissed.insert(m_instances.at(id).id);
+}
+
+instance_id_t SemanticVoxelMap::winnerOfTheRest(const VoxelEvidence& evidence) const
+{
+    VoxelEvidence rest = evidence;
+    for (const auto& e : evidence)
+        if (isDismissed(e.instance)) rest.remove(e.instance);
+    return rest.strongest();
 }
 
 double SemanticVoxelMap::Memory::bytesPerFreeVoxel() const

@@ -86,7 +86,7 @@ float VoxelEvidence::membershipThreshold(double share) const
     return static_cast<float>(share) * known;
 }
 
-instance_id_t VoxelEvidence::winner() const
+instance_id_t VoxelEvidence::strongest() const
 {
     Entry best;
     for (const Entry& e : *this) {

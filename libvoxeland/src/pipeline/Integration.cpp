@@ -113,6 +113,7 @@ void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
         if (instance.observations == 0) instance.firstFrame = frameNumber;
         instance.lastFrame = frameNumber;
         ++instance.observations;
+        map.readmit(instance.id);
         if (opinion.track != InstancePrediction::NO_TRACK) instance.tracks.insert(opinion.track);
     }
 }

@@ -76,6 +76,10 @@ void declare(OptionList& list, RefinementOptions& o)
     list.add("merge_similarity", o.merge.similarity, {0, 1}, "Least semantic similarity for that");
     list.add("split", o.split, "Divide instances that fell apart");
     list.add("continuity", o.continuity, "Merge only instances that are connected");
+    list.add("min_evidence", o.min_evidence, {0, INF},
+             "Instances with less evidence (sum of their detections' scores) count as unknown ...");
+    list.add("patience", o.patience, {0, 1e6},
+             "... when not seen for so many frames; they come back when seen again");
     list.add("dbscan_eps", o.dbscan_eps, {1, 10},
              "Voxels up to this far along each axis are neighbours [voxels]");
     list.add("dbscan_min_points", o.dbscan_min_points, {1, 1000},

@@ -22,7 +22,7 @@ std::vector<WeightedCell> wonVoxels(const SemanticVoxelMap& map, instance_id_t i
     for (const VoxelCoord& b : map.instance(id).blocks) {
         const MapBlock& block = *map.blocks().find(b);
         block.forEachSurface([&](int cell, const VoxelEvidence& evidence) {
-            if (evidence.winner() == id && OccupancyFilter::isOccupied(block.occupancy(cell)))
+            if (map.winner(evidence) == id && OccupancyFilter::isOccupied(block.occupancy(cell)))
                 won.push_back({voxelAt(b, cell), 1, static_cast<float>(options.dbscan_min_points)});
         });
     }
@@ -145,6 +145,17 @@ MergeDecision decide(const SemanticVoxelMap& map, const InstanceOverlap& overlap
     if (options.continuity && !areConnected(map, overlap, options)) return MergeDecision::apart;
     return MergeDecision::merged;
 }
+/** Shows as *unknown* what has too little evidence and was not seen again. Never forgets it. */
+void dismissDoubtful(SemanticVoxelMap& map, const RefinementOptions& options, uint32_t frame)
+{
+    for (const auto& [id, instance] : map.instances()) {
+        const bool doubtful = instance.categories.total() < options.min_evidence;
+        if (doubtful && frame > instance.lastFrame + options.patience)
+            map.dismiss(id);
+        else
+            map.readmit(id);
+    }
+}
 }  // namespace
 
 void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
@@ -166,5 +177,6 @@ void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
         merged.insert({overlap.a, overlap.b});
         ++counts.merges;
     }
+    dismissDoubtful(map, options, counts.frames);
 }
 }  // namespace voxeland

@@ -66,6 +66,13 @@ const std::string& oneOf(const std::vector<std::string>& names, Random& random)
     return names[static_cast<size_t>(random.below(static_cast<int>(names.size())))];
 }
 
+std::vector<std::string> shuffled(std::vector<std::string> names, Random& random)
+{
+    for (size_t i = names.size(); i > 1; --i)
+        std::swap(names[i - 1], names[static_cast<size_t>(random.below(static_cast<int>(i)))]);
+    return names;
+}
+
 /** Azimuth from an object towards the middle of its room: it is seen from around there. */
 float openDirection(const SceneObject& object, const Scene& scene)
 {
@@ -93,14 +100,24 @@ Recognition::Recognition(const Scene& scene, const DetectorOptions& options, Ran
     for (const auto& object : scene.objects()) {
         Look look;
         const bool known = confusions().count(object.category) > 0;
-        look.name = known ? object.category : oneOf(unknownAs(object.category), random);
-        look.alternative = oneOf(confusions().at(look.name), random);
+        look.names = known ? std::vector<std::string>{object.category}
+                           : shuffled(unknownAs(object.category), random);
+        look.alternative = oneOf(confusions().at(look.names.front()), random);
         look.advantage = known ? options.confidence : options.unknownConfidence;
         look.confused = random.chance(options.confusedObjects);
-        look.sectorMiddle = openDirection(object, scene) + random.uniform(-0.55F, 0.55F) * PI;
+        look.front = openDirection(object, scene);
+        look.sectorMiddle = look.front + random.uniform(-0.55F, 0.55F) * PI;
         m_looks.push_back(look);
         m_centers.push_back(object.bounds.center());
     }
+}
+
+const std::string& Recognition::nameFrom(const Look& look, float azimuth)
+{
+    constexpr float SEEN_FROM = 120 * PI / 180;  // the names share these directions
+    const float off = std::remainder(azimuth - look.front, 2 * PI);
+    const float place = std::clamp(off / SEEN_FROM + 0.5F, 0.0F, 0.999F);
+    return look.names[static_cast<size_t>(place * static_cast<float>(look.names.size()))];
 }
 
 CategoryDistribution Recognition::recognize(ObjectId object, const Vector3& from,
@@ -109,22 +126,23 @@ CategoryDistribution Recognition::recognize(ObjectId object, const Vector3& from
     constexpr float FADE = 25 * PI / 180;  // the confusion fades out over this angle
     const Look& look = m_looks.at(object - 1U);
     const Vector3 to = from - m_centers[object - 1U];
+    const float azimuth = std::atan2(to.y, to.x);
     float share = 0;
     if (look.confused) {
         const float half = m_options.confusedSector / 2 * PI / 180;
-        const float angle =
-            std::abs(std::remainder(std::atan2(to.y, to.x) - look.sectorMiddle, 2 * PI));
+        const float angle = std::abs(std::remainder(azimuth - look.sectorMiddle, 2 * PI));
         share = std::clamp((half + FADE / 2 - angle) / FADE, 0.0F, 1.0F);
     }
-    return softmax({{look.name, look.advantage}, {look.alternative, share * m_options.confusion}},
+    return softmax({{nameFrom(look, azimuth), look.advantage},
+                    {look.alternative, share * m_options.confusion}},
                    random);
 }
 
 CategoryDistribution Recognition::mistake(ObjectId object, Random& random) const
 {
     const Look& look = m_looks.at(object - 1U);
-    return softmax({{look.name, 0.5F * look.advantage}, {look.alternative, look.advantage}},
-                   random);
+    return softmax(
+        {{look.names.front(), 0.5F * look.advantage}, {look.alternative, look.advantage}}, random);
 }
 
 CategoryDistribution Recognition::imagine(Random& random) const

@@ -4,8 +4,7 @@
 
 namespace voxeland
 {
-/** Gives what speaks for instances that win few occupied voxels to *unknown* and forgets them:
- *  stray detections, for exports that should show objects only.
+/** Dismisses instances that win few occupied voxels, for exports that should show objects only.
  *  \param minVoxels what an instance must win to stay */
-void dropSmallInstances(SemanticVoxelMap& map, uint32_t minVoxels);
+void dismissSmallInstances(SemanticVoxelMap& map, uint32_t minVoxels);
 }  // namespace voxeland

@@ -7,6 +7,7 @@
 #include "voxeland/map/MapBlock.h"
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace mrpt::serialization
@@ -99,7 +100,7 @@ class SemanticVoxelMap
     [[nodiscard]] Instance& instance(instance_id_t id) { return m_instances.at(id); }
     [[nodiscard]] const Instance& instance(instance_id_t id) const { return m_instances.at(id); }
     /** The live instance an id stands for now: itself, the survivor of merges, or UNKNOWN_INSTANCE
-     * if it was dropped or never existed. */
+     * if it never existed. */
     [[nodiscard]] instance_id_t resolve(instance_id_t id) const;
 
     /** A new instance without evidence. Ids are never reused. */
@@ -114,8 +115,19 @@ class SemanticVoxelMap
      *  \return the new instance */
     Instance& split(instance_id_t from, const std::vector<VoxelCoord>& voxels, double categoryShare,
                     uint32_t frame);
-    /** Gives all of an instance's evidence to *unknown* and forgets it. */
-    void drop(instance_id_t id);
+    /** Keeps an instance's record, but shows it as *unknown*: too little speaks for it. */
+    void dismiss(instance_id_t id);
+    /** Takes dismiss() back. */
+    void readmit(instance_id_t id) { m_dismissed.erase(id); }
+    [[nodiscard]] bool isDismissed(instance_id_t id) const { return m_dismissed.count(id) != 0; }
+    [[nodiscard]] const std::set<instance_id_t>& dismissed() const { return m_dismissed; }
+    /** The instance that most evidence of a voxel speaks for, dismissed ones aside;
+     *  UNKNOWN_INSTANCE where none does. */
+    [[nodiscard]] instance_id_t winner(const VoxelEvidence& evidence) const
+    {
+        const instance_id_t first = evidence.strongest();
+        return isDismissed(first) ? winnerOfTheRest(evidence) : first;
+    }
     /** @} */
 
     /** \name Categories @{ */
@@ -154,11 +166,14 @@ class SemanticVoxelMap
     /** Centres of all voxels with evidence for an instance [m]. */
     [[nodiscard]] std::vector<mrpt::math::TPoint3Df> centersOf(const Instance& instance) const;
 
+    [[nodiscard]] instance_id_t winnerOfTheRest(const VoxelEvidence& evidence) const;
+
     MapOptions m_options;
     OccupancyFilter m_filter;
     BlockMap<MapBlock> m_blocks;
     std::map<instance_id_t, Instance> m_instances;
     std::map<instance_id_t, instance_id_t> m_absorbed;  //!< id -> instance that took its evidence
+    std::set<instance_id_t> m_dismissed;
     instance_id_t m_nextInstance = 1;
     CategoryTable m_categories;
 };

@@ -52,7 +52,7 @@ class VoxelEvidence
     [[nodiscard]] float membershipThreshold(double share) const;
     /** The instance with most evidence; among equals the one seen first, *unknown* last.
      * UNKNOWN_INSTANCE where there is no evidence. */
-    [[nodiscard]] instance_id_t winner() const;
+    [[nodiscard]] instance_id_t strongest() const;
 
     /** Heap memory in use [bytes]. */
     [[nodiscard]] size_t heapMemory() const

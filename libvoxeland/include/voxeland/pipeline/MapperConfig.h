@@ -38,10 +38,13 @@ struct IntegrationOptions
  * and distances are in voxels. */
 struct RefinementOptions
 {
-    uint32_t every = 30;     //!< frames between two refinements; 0: never
-    MergeThresholds merge;   //!< which instances are one object
-    bool split = true;       //!< divide instances that fell apart
-    bool continuity = true;  //!< merge only what is connected
+    uint32_t every = 30;        //!< frames between two refinements; 0: never
+    MergeThresholds merge;      //!< which instances are one object
+    bool split = true;          //!< divide instances that fell apart
+    bool continuity = true;     //!< merge only what is connected
+    double min_evidence = 1.5;  //!< instances with less, the sum of their opinions' confidences,
+                                //!< are shown as *unknown* ...
+    uint32_t patience = 30;  //!< ... once they were not seen for so many frames
     int dbscan_eps = 2;      //!< voxels up to this far along each axis are neighbours
     uint32_t dbscan_min_points =
         4;  //!< voxels in the neighbourhood (itself included) that make a core

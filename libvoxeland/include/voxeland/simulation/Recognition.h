@@ -11,7 +11,8 @@
 namespace voxeland::simulation
 {
 /** What a simulated detector takes objects for. Some objects look like something else when seen
- *  from certain directions, always the same ones; what it has no word for gets a wrong name. */
+ *  from certain directions, always the same ones; what it has no word for gets wrong names, others
+ * from other sides. */
 class Recognition
 {
  public:
@@ -32,13 +33,18 @@ class Recognition
     /** How one object looks to the detector. */
     struct Look
     {
-        std::string name;         //!< what it is mostly taken for
-        std::string alternative;  //!< what it is taken for from some directions
+        /** What it is taken for: its name, or, where the detector has no word for it, the names
+         *  it gets from one side to the other. */
+        std::vector<std::string> names;
+        std::string alternative;  //!< what it is confused with from some directions
         float advantage = 0;      //!< of the name's logit
-        float sectorMiddle = 0;   //!< azimuth of these directions [rad]
+        float front = 0;          //!< azimuth it is mostly seen from [rad]
+        float sectorMiddle = 0;   //!< azimuth of the directions of confusion [rad]
         bool confused = false;    //!< whether there are such directions
     };
 
+    /** The name an object goes by, seen from an azimuth [rad]. */
+    [[nodiscard]] static const std::string& nameFrom(const Look& look, float azimuth);
     [[nodiscard]] CategoryDistribution softmax(
         const std::vector<std::pair<std::string, float>>& raised, Random& random) const;
 
