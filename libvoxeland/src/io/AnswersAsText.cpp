@@ -42,7 +42,10 @@ std::string asText(const MapOverview& o)
     text += format(
         "frames         %u mapped, %u of them without predictions, %u left out without pose\n",
         o.counts.frames, o.counts.framesWithoutPredictions, o.counts.framesWithoutPose);
-    text += format("instances      %zu, from %u opinions\n", o.instances, o.counts.opinions);
+    text += format("instances      %zu, from %u opinions", o.instances, o.counts.opinions);
+    if (o.dismissed > 0)
+        text += format("; %zu more have too little evidence to be shown", o.dismissed);
+    text += "\n";
     for (const auto& [name, count] : o.categories)
         text += format("               %u %s\n", count, name.c_str());
     return text;

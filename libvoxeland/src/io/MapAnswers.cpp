@@ -51,6 +51,7 @@ MapOverview overviewOf(const SemanticVoxelMap& map, const MappingCounts& counts)
         overview.boxMin = low;
         overview.boxMax = high;
     }
+    overview.dismissed = map.dismissed().size();
     for (const InstanceSummary& s : summarizeInstances(map)) {
         ++overview.instances;
         ++overview.categories[s.category()];

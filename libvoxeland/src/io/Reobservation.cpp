@@ -43,7 +43,7 @@ std::vector<Candidate> allCandidates(const SemanticVoxelMap& map)
     std::map<instance_id_t, std::vector<VoxelCoord>> instances;
     std::map<VoxelCoord, Group> regions;
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
-        const instance_id_t winner = evidence.winner();
+        const instance_id_t winner = map.winner(evidence);
         if (winner != UNKNOWN_INSTANCE) instances[winner].push_back(v);
         if (winner == UNKNOWN_INSTANCE && evidence.size() <= 1) return;
         Group& region = regions[blockOf(v)];

@@ -119,7 +119,7 @@ void addVoxels(const SemanticVoxelMap& map, const std::vector<FoundInstance>& in
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
         voxels.push_back({v.x, v.y, v.z});
         for (size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], voxels.back()[a]);
-        append(ownerBytes, owners.at(evidence.winner()));
+        append(ownerBytes, owners.at(map.winner(evidence)));
         doubts.push_back(uncertainty.instanceEntropy(evidence));
     });
     for (const auto& v : voxels)

@@ -18,6 +18,7 @@ struct MapOverview
     size_t observedVoxels = 0;  //!< whose occupancy is known, free ones included
     size_t occupiedVoxels = 0;  //!< surface voxels now more likely occupied than free
     size_t instances = 0;       //!< that win at least one occupied voxel
+    size_t dismissed = 0;       //!< instances of too little evidence, shown as *unknown*
     std::map<std::string, unsigned> categories;  //!< those instances, by most probable category
     SemanticVoxelMap::Memory memory;
     MappingCounts counts;  //!< of the frames it was built from
