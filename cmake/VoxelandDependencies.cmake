@@ -3,7 +3,7 @@
 foreach(module core math poses serialization io img obs opengl maps system tclap)
   find_package(mrpt-${module} REQUIRED)
 endforeach()
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs dnn)
 find_package(nlohmann_json REQUIRED)
 find_package(octomap REQUIRED)
 find_package(tinyxml2 REQUIRED)

@@ -23,17 +23,7 @@ void CRecordedInstancesConverter::declareOptions(OptionList& options)
 std::vector<Opinion> CRecordedInstancesConverter::convert(const RgbdFrame& frame,
                                                           const VoxelizedFrame& voxels) const
 {
-    std::vector<Opinion> opinions;
-    if (!frame.instances) return opinions;
-    for (const InstancePrediction& p : frame.instances->instances) {
-        const bool usable = p.score > 0 && static_cast<double>(p.score) >= m_minScore;
-        if (!usable || p.categories.empty()) continue;
-        auto points = mainCluster(voxels, p.mask, m_clustering);
-        if (!points.empty())
-            opinions.push_back(
-                {std::move(points), p.categories, p.score, p.track, regionOf(p.mask)});
-    }
-    return opinions;
+    return opinionsOf(frame, voxels, m_clustering, m_minScore);
 }
 }  // namespace voxeland
 

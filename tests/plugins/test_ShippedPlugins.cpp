@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** What the shipped plugins decide, on overlaps and frames made by hand. */
+#include "support/ConfiguredPlugin.h"
 #include "support/Frames.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 #include "voxeland/plugins/COpinionConverter.h"
-#include "voxeland/plugins/Ini.h"
-#include "voxeland/plugins/PluginLoader.h"
 
 #include <gtest/gtest.h>
 
@@ -12,32 +11,17 @@ using namespace voxeland;
 
 namespace
 {
-/** A plugin object with these keys set. */
-template <typename Base>
-std::shared_ptr<Base> plugin(const std::string& library, const std::string& className,
-                             const std::string& keys)
-{
-    loadPlugin(library, pluginSearchPath());
-    auto object = createPlugin<Base>(className);
-    OptionList options;
-    object->declareOptions(options);
-    std::vector<std::string> problems;
-    options.load(Ini::fromText("[s]\n" + keys, "a text"), "s", problems);
-    EXPECT_TRUE(problems.empty()) << problems.front();
-    object->start();
-    return object;
-}
-
 std::shared_ptr<CAssociationPolicy> evidential()
 {
-    return plugin<CAssociationPolicy>("evidential_association", "CEvidentialAssociation",
-                                      "tau_iou = 0.5\ntau_iov_strict = 0.8\ntau_iov_relaxed = 0.4\n"
-                                      "tau_piece = 1\n");
+    return test::configuredPlugin<CAssociationPolicy>(
+        "evidential_association", "CEvidentialAssociation",
+        "tau_iou = 0.5\ntau_iov_strict = 0.8\ntau_iov_relaxed = 0.4\n"
+        "tau_piece = 1\n");
 }
 
 std::shared_ptr<CAssociationPolicy> iouOnly(const std::string& keys = "tau_iou = 0.25\n")
 {
-    return plugin<CAssociationPolicy>("iou_association", "CIoUAssociation", keys);
+    return test::configuredPlugin<CAssociationPolicy>("iou_association", "CIoUAssociation", keys);
 }
 
 /** Instances 1 (chair), 2 (chair, a little table) and 3 (table). */
@@ -205,7 +189,7 @@ TEST(EvidentialAssociation, MergesByGeometryAloneOrWithSimilarity)
 
 TEST(RecordedInstancesConverter, MakesAnOpinionOfEachUsablePrediction)
 {
-    const auto converter = plugin<COpinionConverter>(
+    const auto converter = test::configuredPlugin<COpinionConverter>(
         "recorded_instances", "CRecordedInstancesConverter", "min_score = 0.3\nmin_points = 50\n");
     RgbdFrame frame;
     frame.scan = test::makeScan([](int c, int) { return c < 20 ? 0.0 : 1.52; });

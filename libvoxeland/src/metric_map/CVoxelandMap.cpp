@@ -80,7 +80,10 @@ void CVoxelandMap::addSkipped(const FrameAssembler::Counts& skipped)
 
 void CVoxelandMap::mapCompleteFrames()
 {
-    while (const auto frame = m_assembler.next()) integrate(mapper().prepare(*frame));
+    while (auto frame = m_assembler.next()) {
+        mapper().predict(*frame);
+        integrate(mapper().prepare(*frame));
+    }
 }
 
 void CVoxelandMap::internal_clear()

@@ -2,7 +2,7 @@
 #include "voxeland/metric_map/RawlogMapping.h"
 
 #include "voxeland/errors.h"
-#include "voxeland/pipeline/FramePreparer.h"
+#include "voxeland/pipeline/FramePredictor.h"
 
 namespace voxeland
 {
@@ -30,8 +30,9 @@ void mapRawlog(RawlogFrameSource& source, CVoxelandMap& map,
     bool mapped = false;
     {
         const SemanticMapper& mapper = map.mapper();
+        FramePredictor predictor(mapper, [&] { return source.next(); });
         FramePreparer preparer(
-            mapper, [&] { return source.next(); }, mapper.config().input.threads);
+            mapper, [&] { return predictor.next(); }, mapper.config().input.threads);
         while (auto frame = preparer.next()) {
             onFrame(map.integrate(std::move(*frame)));
             mapped = true;

@@ -88,4 +88,20 @@ std::vector<OpinionVoxel> mainCluster(const VoxelizedFrame& frame, const RunLeng
         if (clusters[coarse.cellOfVoxel[i]] == main) kept.push_back(voxels[i]);
     return kept;
 }
+
+std::vector<Opinion> opinionsOf(const RgbdFrame& frame, const VoxelizedFrame& voxels,
+                                const ClusteringOptions& options, double minScore)
+{
+    std::vector<Opinion> opinions;
+    if (!frame.instances) return opinions;
+    for (const InstancePrediction& p : frame.instances->instances) {
+        const bool usable = p.score > 0 && static_cast<double>(p.score) >= minScore;
+        if (!usable || p.categories.empty()) continue;
+        auto points = mainCluster(voxels, p.mask, options);
+        if (!points.empty())
+            opinions.push_back(
+                {std::move(points), p.categories, p.score, p.track, regionOf(p.mask)});
+    }
+    return opinions;
+}
 }  // namespace voxeland

@@ -8,6 +8,8 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include <chrono>
+
 namespace voxeland
 {
 namespace
@@ -51,9 +53,21 @@ void checkAssignments(const std::vector<Assignment>& assignments, size_t opinion
 }
 }  // namespace
 
+void SemanticMapper::predict(RgbdFrame& frame) const
+{
+    if (!m_config.converter->makesPredictions()) return;
+    const auto start = std::chrono::steady_clock::now();
+    const auto predictions = m_config.converter->predict(*frame.scan);
+    predictions->belongTo(*frame.scan);
+    frame.instances = predictions;
+    frame.detectionTime =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
 {
     StageTimes times{};
+    times[static_cast<size_t>(Stage::detection)] = frame.detectionTime;
     decode(frame, times);
 
     auto voxels = [&] {

@@ -89,14 +89,26 @@ void TimingLog::printSummary(std::ostream& out) const
     out << "CPU time [ms]     median     mean   frames\n";
     std::vector<double> mapping(m_frames.size(), 0);
     for (size_t s = 0; s < STAGES; ++s) {
-        std::vector<double> times;
-        for (size_t f = 0; f < m_frames.size(); ++f) {
-            const double t = m_frames[f][s];
-            if (s != static_cast<size_t>(Stage::decode)) mapping[f] += t;
-            if (t > 0 || s != static_cast<size_t>(Stage::refinement)) times.push_back(t);
-        }
-        printRow(out, STAGE_NAMES[s], std::move(times));
+        const auto stage = static_cast<Stage>(s);
+        if (stage == Stage::detection) continue;
+        if (stage != Stage::decode)
+            for (size_t f = 0; f < m_frames.size(); ++f) mapping[f] += m_frames[f][s];
+        printRow(out, STAGE_NAMES[s], timesOf(stage));
     }
     printRow(out, "mapping", std::move(mapping));
+    const auto detection = timesOf(Stage::detection);
+    if (detection.empty()) return;
+    out << "Elapsed time [ms]\n";
+    printRow(out, STAGE_NAMES[static_cast<size_t>(Stage::detection)], detection);
+}
+
+std::vector<double> TimingLog::timesOf(Stage stage) const
+{
+    const bool isInEveryFrame = stage != Stage::refinement && stage != Stage::detection;
+    std::vector<double> times;
+    for (const StageTimes& frame : m_frames)
+        if (const double t = frame[static_cast<size_t>(stage)]; t > 0 || isInEveryFrame)
+            times.push_back(t);
+    return times;
 }
 }  // namespace voxeland

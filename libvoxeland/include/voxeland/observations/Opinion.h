@@ -6,6 +6,7 @@
 
 namespace voxeland
 {
+struct RgbdFrame;
 class VoxelizedFrame;
 
 /** Part of a geometric opinion: points of one of the frame's hit voxels. */
@@ -55,4 +56,9 @@ struct ClusteringOptions
  * left. */
 std::vector<OpinionVoxel> mainCluster(const VoxelizedFrame& frame, const RunLengthMask& mask,
                                       const ClusteringOptions& options);
+
+/** An opinion for each of the frame's predictions that has categories, a positive score of at least
+ * `minScore`, and a main cluster. */
+std::vector<Opinion> opinionsOf(const RgbdFrame& frame, const VoxelizedFrame& voxels,
+                                const ClusteringOptions& options, double minScore = 0);
 }  // namespace voxeland

@@ -20,6 +20,8 @@ struct RgbdFrame
     std::shared_ptr<const CObservationInstances>
         instances;                   //!< its predictions; null if there are none
     mrpt::poses::CPose3D robotPose;  //!< of the robot in the map's frame of reference
+    /** Elapsed time that the predictions took, if they were made now and not recorded [s]. */
+    double detectionTime = 0;
 };
 
 /** Whether rotation and translation are numbers, and a voxel of 1 mm at that place could be stored.

@@ -22,6 +22,10 @@ class SemanticMapper
     /** Lets integrate() tell why it decides as it does. \param trace null: no more */
     void setTrace(std::shared_ptr<MappingTrace> trace) { m_trace = std::move(trace); }
 
+    /** Replaces the frame's predictions by the converter's own, where it makes any. Comes before
+     * prepare(), in the order of the frames. \throws InputError for unusable frames */
+    void predict(RgbdFrame& frame) const;
+
     /** The part of the work that needs no map. Thread safe. \throws InputError for unusable frames
      */
     [[nodiscard]] PreparedFrame prepare(const RgbdFrame& frame) const;

@@ -8,10 +8,11 @@ namespace voxeland
 /** The stages whose time is measured, in the order they run. */
 enum class Stage
 {
-    decode,    //!< reading and decoding of images
-    voxelize,  //!< unprojecting and grouping pixels by voxel
-    opinions,  //!< masks to opinions, clustering included
-    rays,      //!< ray casting
+    detection,  //!< predictions, where the converter makes them, by a network
+    decode,     //!< reading and decoding of images
+    voxelize,   //!< unprojecting and grouping pixels by voxel
+    opinions,   //!< masks to opinions, clustering included
+    rays,       //!< ray casting
     association,
     integration,  //!< evidence and occupancy into the map
     refinement,
@@ -20,9 +21,11 @@ enum class Stage
 
 inline constexpr size_t STAGES = static_cast<size_t>(Stage::count_);
 inline constexpr std::array<const char*, STAGES> STAGE_NAMES = {
-    "decode", "voxelize", "opinions", "rays", "association", "integration", "refinement"};
+    "detection", "decode",      "voxelize",    "opinions",
+    "rays",      "association", "integration", "refinement"};
 
-/** CPU time of one frame's stages [s]. */
+/** CPU time of one frame's stages [s]; of detection, which may use several cores or a graphics
+ * card, the elapsed time. */
 using StageTimes = std::array<double, STAGES>;
 
 /** Adds the CPU time of the calling thread while it lives to one stage. */

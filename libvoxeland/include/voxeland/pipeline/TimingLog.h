@@ -19,11 +19,15 @@ class TimingLog
 
     /** One line a frame: number and milliseconds per stage, with a header line. */
     void writeCsv(std::ostream& out) const;
-    /** Median and mean per stage, and for mapping as a whole (all but decoding), in milliseconds.
-     * The times of refinement are those of the frames that refined. */
+    /** Median and mean per stage, and for mapping as a whole (all but detection and decoding), in
+     * milliseconds. The times of refinement are those of the frames that refined; detection is left
+     * out where the predictions were recorded. */
     void printSummary(std::ostream& out) const;
 
  private:
+    /** Of the frames that had this stage. */
+    [[nodiscard]] std::vector<double> timesOf(Stage stage) const;
+
     std::vector<StageTimes> m_frames;
 };
 }  // namespace voxeland

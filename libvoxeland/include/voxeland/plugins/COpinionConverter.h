@@ -5,7 +5,13 @@
 #include "voxeland/observations/VoxelizedFrame.h"
 #include "voxeland/plugins/Plugin.h"
 
+#include <memory>
 #include <vector>
+
+namespace mrpt::obs
+{
+class CObservation3DRangeScan;
+}
 
 namespace voxeland
 {
@@ -18,6 +24,20 @@ class COpinionConverter : public Plugin
     VOXELAND_DEFINE_VIRTUAL_MRPT_OBJECT(COpinionConverter)
 
  public:
+    /** Whether the class makes predictions itself, from what a scan holds; where not, those
+     * recorded in the rawlog are used. */
+    [[nodiscard]] virtual bool makesPredictions() const { return false; }
+
+    /** The class's own predictions for a scan, without timestamp, label and sensor pose; they
+     * become the frame's before convert(). Called if makesPredictions(), ahead of mapping, for one
+     * frame after another.
+     *  \throws InputError, naming the frame, if the scan lacks what is needed */
+    [[nodiscard]] virtual std::shared_ptr<CObservationInstances> predict(
+        const mrpt::obs::CObservation3DRangeScan&) const
+    {
+        return nullptr;
+    }
+
     /** The opinions a frame holds, in a deterministic order. Called from several threads at a time.
      *  \param frame images, predictions and pose
      *  \param voxels its depth pixels grouped by voxel

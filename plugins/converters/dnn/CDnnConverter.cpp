@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CDnnConverter.h"
+
+#include "ClassNames.h"
+#include "voxeland/datasets/CategoryNames.h"
+#include "voxeland/errors.h"
+#include "voxeland/plugins/ClusteringKeys.h"
+
+#include <mrpt/core/initializer.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/system/datetime.h>
+#include <mrpt/system/string_utils.h>
+#include <opencv2/imgproc.hpp>
+
+#include <limits>
+
+namespace voxeland
+{
+IMPLEMENTS_MRPT_OBJECT(CDnnConverter, voxeland::COpinionConverter, voxeland)
+
+namespace
+{
+constexpr auto BOXES = "detection_out_final", MASKS = "detection_masks";  // of Mask R-CNN
+
+/** The colour image of a scan, of 8 bits, blue, green and red. */
+cv::Mat colourImage(const mrpt::obs::CObservation3DRangeScan& scan)
+{
+    const std::string frame =
+        "frame '" + scan.sensorLabel + "' of " + mrpt::system::dateTimeToString(scan.timestamp);
+    if (!scan.hasIntensityImage)
+        throw InputError(frame + " has no colour image, which a network needs");
+    cv::Mat image;
+    try {
+        image = scan.intensityImage.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
+    } catch (const std::exception&) {
+        throw InputError("the colour image of " + frame +
+                         " cannot be read: restore the rawlog's folder of images");
+    }
+    if (image.empty()) throw InputError("the colour image of " + frame + " is empty");
+    if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
+    return image;
+}
+}  // namespace
+
+std::string CDnnConverter::description() const
+{
+    return "a segmentation network (YOLO v5, v8, v11 or Mask R-CNN) looks at the colour images";
+}
+
+void CDnnConverter::declareOptions(OptionList& options)
+{
+    options.add("model", m_model, "File of the network: ONNX, or a frozen TensorFlow graph");
+    options.add("config", m_config, "Description of a frozen graph (.pbtxt); empty: none");
+    options.add("labels", m_labels,
+                "File of class names; empty: those in the model, COCO's for Mask R-CNN");
+    options.add("layout", m_layout,
+                Words<OutputLayout>{{"auto", OutputLayout::automatic},
+                                    {"yolov5", OutputLayout::yolov5},
+                                    {"yolov8", OutputLayout::yolov8},
+                                    {"mask_rcnn", OutputLayout::maskRcnn}},
+                "How the network writes its results; yolov8 is also that of v11");
+    options.add("input_width", m_inputWidth, {0, 8192},
+                "Width of the network's input; 0: the model says, or 640, or the image's for Mask "
+                "R-CNN [pixels]");
+    options.add("input_height", m_inputHeight, {0, 8192}, "Its height, likewise [pixels]");
+    options.add("score_threshold", m_limits.score, {0, 1}, "Least score of a detection");
+    options.add("nms_threshold", m_limits.overlap, {0, 1},
+                "Of boxes of a class with a greater intersection over union, the best is kept");
+    options.add("mask_threshold", m_limits.mask, {0.01, 0.99},
+                "Least probability of a pixel of a mask");
+    options.add("classes", m_classes, "Names of the classes to use, with commas; empty: all");
+    options.add("top_classes", m_topClasses, {0, 1e6},
+                "Keep so many of the most probable classes of each detection; 0: all");
+    options.add("backend", m_device.backend, backendWords(), "What runs the network");
+    options.add("target", m_device.target, targetWords(), "Where it runs");
+    declareClusteringOptions(options, m_clustering);
+}
+
+void CDnnConverter::start()
+{
+    if (m_model.empty())
+        throw ConfigurationError("[converter] model is empty: name the file of a network");
+    m_network = std::make_unique<Network>(m_model, m_config, m_device);
+    checkInputSize();
+    nameClasses(tryNetwork());
+    readAllowed();
+}
+
+void CDnnConverter::checkInputSize() const
+{
+    const cv::Size& model = m_network->inputSize();
+    const auto agrees = [](uint32_t given, int own) {
+        return given == 0 || own == 0 || given == static_cast<uint32_t>(own);
+    };
+    if (!agrees(m_inputWidth, model.width) || !agrees(m_inputHeight, model.height))
+        throw ConfigurationError("[converter] input_width and input_height: the model '" + m_model +
+                                 "' takes images of " + std::to_string(model.width) + "x" +
+                                 std::to_string(model.height) + " only, leave them 0");
+}
+
+std::optional<int> CDnnConverter::tryNetwork()
+{
+    const bool isMaskRcnn = m_network->hasLayer(BOXES) && m_network->hasLayer(MASKS);
+    if (m_layout == OutputLayout::maskRcnn && !isMaskRcnn)
+        throw InputError("the model '" + m_model + "' has no outputs " + BOXES + " and " + MASKS +
+                         ": leave the layout to be recognized");
+    if (isMaskRcnn && m_layout == OutputLayout::automatic) m_layout = OutputLayout::maskRcnn;
+    if (m_layout == OutputLayout::maskRcnn) return std::nullopt;
+    constexpr int ANY = 64;
+    const cv::Mat image(ANY, ANY, CV_8UC3, cv::Scalar::all(0));
+    const auto outputs = run(image, letterboxFor(image.size()));
+    try {
+        m_layout = recognizeLayout(outputs, m_layout);
+    } catch (const InputError& e) {
+        throw InputError("the model '" + m_model + "' cannot be used: " + e.what());
+    }
+    return numberOfClasses(m_layout, outputs);
+}
+
+void CDnnConverter::nameClasses(std::optional<int> classes)
+{
+    m_classNames = m_labels.empty() ? m_network->classNames() : readClassNames(m_labels);
+    if (m_classNames.empty() && m_layout == OutputLayout::maskRcnn)
+        for (const auto& [number, name] : cocoCategoryNames()) m_classNames.push_back(name);
+    if (m_classNames.empty())
+        throw ConfigurationError("the model '" + m_model +
+                                 "' holds no names of its classes: give a file with [converter] "
+                                 "labels");
+    if (classes && m_classNames.size() != static_cast<size_t>(*classes))
+        throw ConfigurationError(
+            (m_labels.empty() ? "the model '" + m_model + "'" : "'" + m_labels + "'") + " names " +
+            std::to_string(m_classNames.size()) + " classes but the network tells " +
+            std::to_string(*classes) + " apart: give its own names with [converter] labels");
+}
+
+void CDnnConverter::readAllowed()
+{
+    std::vector<std::string> names;
+    mrpt::system::tokenize(m_classes, ",", names);
+    for (const std::string& spaced : names) {
+        const std::string name = mrpt::system::trim(spaced);
+        if (std::find(m_classNames.begin(), m_classNames.end(), name) == m_classNames.end()) {
+            const std::string nearest = nearestWord(name, m_classNames);
+            throw ConfigurationError("[converter] classes: the network knows no '" + name + "'" +
+                                     (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)"));
+        }
+        m_allowed.insert(name);
+    }
+}
+
+Letterbox CDnnConverter::letterboxFor(const cv::Size& image) const
+{
+    constexpr int USUAL = 640;
+    cv::Size input = m_network->inputSize();
+    if (input.empty()) input = m_layout == OutputLayout::maskRcnn ? image : cv::Size(USUAL, USUAL);
+    if (m_inputWidth > 0) input.width = static_cast<int>(m_inputWidth);
+    if (m_inputHeight > 0) input.height = static_cast<int>(m_inputHeight);
+    return {image, input};
+}
+
+std::vector<NetworkOutput> CDnnConverter::run(const cv::Mat& image,
+                                              const Letterbox& letterbox) const
+{
+    const bool isMaskRcnn = m_layout == OutputLayout::maskRcnn;
+    const double scale = isMaskRcnn ? 1. : 1. / std::numeric_limits<uint8_t>::max();
+    constexpr bool RED_FIRST = true;
+    const cv::Mat input = cv::dnn::blobFromImage(letterbox.fill(image), scale, {}, {}, RED_FIRST);
+    if (isMaskRcnn) return m_network->run(input, {BOXES, MASKS});
+    return m_network->run(input);
+}
+
+CObservationInstances::Ptr CDnnConverter::predict(
+    const mrpt::obs::CObservation3DRangeScan& scan) const
+{
+    const cv::Mat image = colourImage(scan);
+    const Letterbox letterbox = letterboxFor(image.size());
+    auto predictions = CObservationInstances::Create();
+    predictions->imageWidth = image.cols;
+    predictions->imageHeight = image.rows;
+    for (Detection& d : decode(m_layout, run(image, letterbox), letterbox, m_limits)) {
+        InstancePrediction p;
+        p.categories = categoriesOf(d);
+        const bool wanted = m_allowed.empty() ||
+                            (!p.categories.empty() && m_allowed.count(p.categories[0].name) > 0);
+        if (!wanted) continue;
+        p.mask = std::move(d.mask);
+        p.score = d.score;
+        p.box = {cvFloor(d.box.x), cvFloor(d.box.y), cvCeil(d.box.br().x) - cvFloor(d.box.x),
+                 cvCeil(d.box.br().y) - cvFloor(d.box.y)};
+        predictions->instances.push_back(std::move(p));
+    }
+    return predictions;
+}
+
+CategoryDistribution CDnnConverter::categoriesOf(const Detection& detection) const
+{
+    CategoryDistribution scores;
+    for (size_t c = 0; c < std::min(detection.classScores.size(), m_classNames.size()); ++c)
+        scores.push_back({m_classNames[c], detection.classScores[c]});
+    scores = normalized(std::move(scores));
+    if (m_topClasses > 0 && scores.size() > m_topClasses) scores.resize(m_topClasses);
+    return normalized(std::move(scores));
+}
+
+std::vector<Opinion> CDnnConverter::convert(const RgbdFrame& frame,
+                                            const VoxelizedFrame& voxels) const
+{
+    return opinionsOf(frame, voxels, m_clustering);
+}
+}  // namespace voxeland
+
+MRPT_INITIALIZER(registerDnnConverter)
+{
+    mrpt::rtti::registerClass(CLASS_ID(voxeland::CDnnConverter));
+}

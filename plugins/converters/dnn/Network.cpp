@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Network.h"
+
+#include "OnnxFile.h"
+#include "voxeland/errors.h"
+
+#include <opencv2/core/utils/logger.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+
+namespace voxeland
+{
+namespace
+{
+namespace logging = cv::utils::logging;
+
+/** Keeps OpenCV from printing while it lives: what goes wrong is said in an exception. */
+class SilentOpenCV
+{
+ public:
+    SilentOpenCV() : m_before(logging::setLogLevel(logging::LOG_LEVEL_SILENT)) {}
+    ~SilentOpenCV() { logging::setLogLevel(m_before); }
+    SilentOpenCV(const SilentOpenCV&) = delete;
+    SilentOpenCV& operator=(const SilentOpenCV&) = delete;
+
+ private:
+    logging::LogLevel m_before;
+};
+
+/** What OpenCV reports over several lines, in one sentence about a model. */
+InputError failure(const std::string& model, const cv::Exception& e)
+{
+    const std::string opencv = "OpenCV " + cv::getVersionString();
+    std::smatch found;
+    if (std::regex_search(e.err, found, std::regex(R"(Node \[([^\]@]+))")))
+        return InputError("the model '" + model + "' has an operation '" + found.str(1) +
+                          "' that " + opencv +
+                          " lacks or cannot do this way: export it anew with opset=12 "
+                          "simplify=True, or use a newer OpenCV");
+    std::string reason = e.err.substr(0, e.err.find('\n'));
+    if (e.func != "") reason += " (in " + e.func + ")";
+    return InputError(opencv + " cannot use the model '" + model + "': " + reason);
+}
+}  // namespace
+
+const Words<cv::dnn::Backend>& backendWords()
+{
+    static const Words<cv::dnn::Backend> WORDS = {
+        {"opencv", cv::dnn::DNN_BACKEND_OPENCV},
+        {"openvino", cv::dnn::DNN_BACKEND_INFERENCE_ENGINE},
+        {"cuda", cv::dnn::DNN_BACKEND_CUDA},
+        {"vulkan", cv::dnn::DNN_BACKEND_VKCOM}};
+    return WORDS;
+}
+
+const Words<cv::dnn::Target>& targetWords()
+{
+    static const Words<cv::dnn::Target> WORDS = {{"cpu", cv::dnn::DNN_TARGET_CPU},
+                                                 {"opencl", cv::dnn::DNN_TARGET_OPENCL},
+                                                 {"opencl_fp16", cv::dnn::DNN_TARGET_OPENCL_FP16},
+                                                 {"cuda", cv::dnn::DNN_TARGET_CUDA},
+                                                 {"cuda_fp16", cv::dnn::DNN_TARGET_CUDA_FP16},
+                                                 {"vulkan", cv::dnn::DNN_TARGET_VULKAN}};
+    return WORDS;
+}
+
+std::string shapesText(const std::vector<NetworkOutput>& outputs)
+{
+    std::string text;
+    for (const auto& [name, tensor] : outputs) {
+        text += (text.empty() ? "" : ", ") + name + " ";
+        for (int d = 0; d < tensor.dims; ++d)
+            text += (d == 0 ? "" : "x") + std::to_string(tensor.size[d]);
+    }
+    return text;
+}
+
+Network::Network(const std::string& model, const std::string& config, const Device& device)
+    : m_model(model)
+{
+    if (!std::filesystem::is_regular_file(model))
+        throw InputError("there is no model '" + model + "'");
+    const SilentOpenCV silent;
+    try {
+        if (std::filesystem::path(model).extension() == ".onnx") {
+            OnnxFile onnx(model);
+            m_inputSize = onnx.input;
+            m_classNames = std::move(onnx.classNames);
+            m_net = cv::dnn::readNetFromONNX(onnx.bytes);
+        } else {
+            m_net = cv::dnn::readNet(model, config);
+        }
+    } catch (const cv::Exception& e) {
+        throw failure(model, e);
+    }
+    choose(device);
+}
+
+void Network::choose(const Device& device)
+{
+    std::string wanted, available;
+    bool isThere = false;
+    for (const auto& [backendWord, backend] : backendWords()) {
+        const auto targets = cv::dnn::getAvailableTargets(backend);
+        for (const auto& [targetWord, target] : targetWords()) {
+            const std::string text = "backend = " + backendWord + " with target = " + targetWord;
+            const bool isWanted = backend == device.backend && target == device.target;
+            if (isWanted) wanted = text;
+            if (std::find(targets.begin(), targets.end(), target) == targets.end()) continue;
+            isThere = isThere || isWanted;
+            available += (available.empty() ? "" : ", ") + text;
+        }
+    }
+    if (!isThere)
+        throw ConfigurationError("[converter] " + wanted + ": OpenCV " + cv::getVersionString() +
+                                 " on this machine cannot run networks so; it can with " +
+                                 available);
+    m_net.setPreferableBackend(device.backend);
+    m_net.setPreferableTarget(device.target);
+}
+
+bool Network::hasLayer(const std::string& name) const
+{
+    const auto names = m_net.getLayerNames();
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<NetworkOutput> Network::run(const cv::Mat& images, std::vector<std::string> names) const
+{
+    const SilentOpenCV silent;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    std::vector<NetworkOutput> outputs;
+    try {
+        if (names.empty()) names = m_net.getUnconnectedOutLayersNames();
+        std::vector<cv::Mat> tensors;
+        m_net.setInput(images);
+        m_net.forward(tensors, names);
+        for (size_t i = 0; i < names.size(); ++i) {
+            tensors[i].convertTo(tensors[i], CV_32F);
+            outputs.push_back({names[i], tensors[i].clone()});  // the next run writes to the same
+        }
+    } catch (const cv::Exception& e) {
+        throw failure(m_model, e);
+    }
+    return outputs;
+}
+}  // namespace voxeland

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <opencv2/core/types.hpp>
+
+#include <string>
+#include <vector>
+
+namespace voxeland
+{
+/** What an ONNX model says of itself that OpenCV does not pass on. */
+struct OnnxFile
+{
+    std::vector<uint8_t> bytes;           //!< the whole file, for OpenCV to parse
+    cv::Size input;                       //!< of the first input; 0x0 if any size goes [pixels]
+    std::vector<std::string> classNames;  //!< as Ultralytics' exports have them; empty: none given
+
+    /** \throws InputError, naming the file, if it is missing, cut off or something else */
+    explicit OnnxFile(const std::string& file);
+};
+}  // namespace voxeland

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SmallOnnx.h"
+
+namespace voxeland::test
+{
+namespace
+{
+std::string varint(size_t value)
+{
+    std::string bytes;
+    for (; value >= 0x80; value >>= 7) bytes += static_cast<char>(value | 0x80);
+    return bytes + static_cast<char>(value);
+}
+
+std::string integer(size_t field, size_t value)
+{
+    return varint(field << 3) + varint(value);
+}
+
+std::string part(size_t field, const std::string& content)
+{
+    return varint(field << 3 | 2) + varint(content.size()) + content;
+}
+
+/** A ValueInfoProto. */
+std::string tensor(const std::string& name, const std::vector<int>& shape)
+{
+    constexpr size_t FLOAT = 1;
+    std::string dimensions;
+    for (const int size : shape)
+        dimensions += part(1, size == 0 ? part(2, "any") : integer(1, static_cast<size_t>(size)));
+    return part(1, name) + part(2, part(1, integer(1, FLOAT) + part(2, dimensions)));
+}
+}  // namespace
+
+std::string smallOnnx(const std::vector<OnnxNode>& nodes, const std::vector<int>& inputShape,
+                      const std::vector<std::string>& outputs, const std::string& names)
+{
+    std::string graph;
+    for (const OnnxNode& n : nodes) {
+        std::string node;
+        for (const auto& name : n.inputs) node += part(1, name);
+        for (const auto& name : n.outputs) node += part(2, name);
+        graph += part(1, node + part(3, n.operation + "_node") + part(4, n.operation));
+    }
+    graph += part(2, "graph") + part(11, tensor("x", inputShape));
+    for (const auto& name : outputs) graph += part(12, tensor(name, inputShape));
+    const std::string metadata = names.empty() ? "" : part(14, part(1, "names") + part(2, names));
+    constexpr size_t IR_VERSION = 7, OPSET = 12;
+    return integer(1, IR_VERSION) + part(7, graph) + part(8, integer(2, OPSET)) + metadata;
+}
+}  // namespace voxeland::test

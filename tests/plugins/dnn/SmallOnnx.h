@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+namespace voxeland::test
+{
+/** A step of a small ONNX model: its operation, and the tensors it reads and writes. */
+struct OnnxNode
+{
+    std::string operation;
+    std::vector<std::string> inputs, outputs;
+};
+
+/** The bytes of an ONNX model with an input "x" of float.
+ *  \param inputShape sizes; 0 stands for one that is not given
+ *  \param outputs names of the tensors that are results
+ *  \param names value of the metadata "names"; empty: no metadata */
+std::string smallOnnx(const std::vector<OnnxNode>& nodes, const std::vector<int>& inputShape,
+                      const std::vector<std::string>& outputs, const std::string& names = "");
+}  // namespace voxeland::test
