@@ -3,7 +3,9 @@
 #include "common/CommandLine.h"
 #include "common/Progress.h"
 #include "voxeland/datasets/RawlogPredictions.h"
+#include "voxeland/errors.h"
 #include "voxeland/io/RawlogFiles.h"
+#include "voxeland/pipeline/MapperConfig.h"
 
 #include <iostream>
 
@@ -16,48 +18,102 @@ const char* const DESCRIPTION = R"(Adds a detector's predictions to a rawlog wit
   rawlog-add-instances -i k.rawlog --coco results.json -o k.rawlog
   rawlog-add-instances -i k.rawlog --coco results.json --categories cats.json -o k2.rawlog
   rawlog-add-instances -i k.rawlog --coco results.json --embed -o embedded.rawlog
+  rawlog-add-instances -i k.rawlog --dnn yolov8.ini -o k.rawlog
 
-image_id counts the rawlog's RGB-D frames from 0. The predictions go to the file
-NAME.instances.rawlog beside the output NAME.rawlog, which is a copy of the input unless both are
-the same; its external images are found through a link. With --embed they go into the output, which
-then needs programs that load libvoxeland.)";
+They come from a file, or from a network that looks at the colour images (--dnn). image_id counts
+the rawlog's RGB-D frames from 0. The predictions go to the file NAME.instances.rawlog beside the
+output NAME.rawlog, which is a copy of the input unless both are the same; its external images are
+found through a link. With --embed they go into the output, which then needs programs that load
+libvoxeland.)";
 
-int run(int argc, char** argv)
+/** The program's command line. */
+struct Arguments : apps::CommandLine
 {
-    apps::CommandLine commandLine(DESCRIPTION);
-    auto& parser = commandLine.parser();
-    TCLAP::ValueArg<std::string> label("", "sensor-label",
+    Arguments() : CommandLine(DESCRIPTION) {}
+
+    TCLAP::ValueArg<std::string> label{"",
+                                       "sensor-label",
                                        "Which sensor's RGB-D frames, where there are several's",
-                                       false, "", "LABEL", parser);
-    TCLAP::SwitchArg embed("", "embed", "Put the predictions into the rawlog", parser);
-    TCLAP::ValueArg<std::string> categories(
-        "", "categories",
+                                       false,
+                                       "",
+                                       "LABEL",
+                                       parser()};
+    TCLAP::SwitchArg embed{"", "embed", "Put the predictions into the rawlog", parser()};
+    TCLAP::MultiArg<std::string> set{"",
+                                     "set",
+                                     "Set a key of the network's INI; may be repeated",
+                                     false,
+                                     "section.key=value",
+                                     parser()};
+    TCLAP::ValueArg<std::string> categories{
+        "",
+        "categories",
         "Names of the categories the predictions give numbers of: JSON as COCO has,"
         " or CSV lines 'id,name' (default: COCO's 91)",
-        false, "", "FILE", parser);
-    TCLAP::ValueArg<std::string> output("o", "output", "Rawlog to write; may be the input", true,
-                                        "", "OUT.rawlog", parser);
-    TCLAP::ValueArg<std::string> coco("", "coco", "Predictions in the COCO results format", true,
-                                      "", "RESULTS.json", parser);
-    TCLAP::ValueArg<std::string> input("i", "input", "Rawlog to read", true, "", "IN.rawlog",
-                                       parser);
-    if (!commandLine.parse(argc, argv)) return 0;
+        false,
+        "",
+        "FILE",
+        parser()};
+    TCLAP::ValueArg<std::string> dnn{
+        "",      "dnn", "Configuration whose [converter] is a network to make the predictions with",
+        false,   "",    "FILE.ini",
+        parser()};
+    TCLAP::ValueArg<std::string> coco{
+        "", "coco", "Predictions in the COCO results format", false, "", "RESULTS.json", parser()};
+    TCLAP::ValueArg<std::string> output{
+        "o", "output", "Rawlog to write; may be the input", true, "", "OUT.rawlog", parser()};
+    TCLAP::ValueArg<std::string> input{"i", "input",     "Rawlog to read", true,
+                                       "",  "IN.rawlog", parser()};
+};
 
-    const CocoPredictions predictions(
-        coco.getValue(),
-        categories.isSet() ? readCategoryNames(categories.getValue()) : CategoryNames());
+void check(const Arguments& arguments)
+{
+    if (arguments.coco.isSet() == arguments.dnn.isSet())
+        throw ConfigurationError("give predictions with --coco, or a network with --dnn");
+    if (arguments.dnn.isSet() && arguments.categories.isSet())
+        throw ConfigurationError("--categories goes with --coco; networks have [converter] labels");
+    if (arguments.coco.isSet() && arguments.set.isSet())
+        throw ConfigurationError("--set goes with --dnn");
+}
+
+/** The converter of the INI, which must be one that makes predictions. */
+std::shared_ptr<const COpinionConverter> network(Arguments& arguments)
+{
+    Ini ini = Ini::fromFile(arguments.dnn.getValue());
+    for (const std::string& assignment : arguments.set.getValue()) ini.set(assignment);
+    auto converter = MapperConfig(ini).converter;
+    if (!converter->makesPredictions())
+        throw ConfigurationError("[converter] of '" + arguments.dnn.getValue() +
+                                 "' makes no predictions: name a class that does, such as "
+                                 "CDnnConverter");
+    return converter;
+}
+
+AddedPredictions add(Arguments& arguments)
+{
     AddPredictionsOptions options;
-    options.embed = embed.isSet();
-    options.sensorLabel = label.getValue();
-    AddedPredictions added;
-    {
-        apps::Progress progress("frames", 0, !commandLine.quiet());
-        added =
-            addPredictions(input.getValue(), predictions, output.getValue(), options,
-                           [&](size_t frames, double share) { progress.update(frames, share); });
+    options.embed = arguments.embed.isSet();
+    options.sensorLabel = arguments.label.getValue();
+    const std::string &in = arguments.input.getValue(), &out = arguments.output.getValue();
+    apps::Progress bar("frames", 0, !arguments.quiet());
+    const auto progress = [&](size_t frames, double share) { bar.update(frames, share); };
+    if (arguments.coco.isSet()) {
+        const CocoPredictions recorded(arguments.coco.getValue(),
+                                       arguments.categories.isSet()
+                                           ? readCategoryNames(arguments.categories.getValue())
+                                           : CategoryNames());
+        return addPredictions(in, recorded, out, options, progress);
     }
+    const auto converter = network(arguments);
+    const PredictionSource seen = [&](size_t, const mrpt::obs::CObservation3DRangeScan& scan) {
+        return converter->predict(scan);
+    };
+    return addPredictions(in, seen, out, options, progress);
+}
 
-    const RawlogFiles files(output.getValue());
+void printSummary(const AddedPredictions& added, Arguments& arguments)
+{
+    const RawlogFiles files(arguments.output.getValue());
     std::cout << "frames: " << added.frames << "\npredictions: " << added.predictions;
     if (added.predictionsWithoutFrame > 0)
         std::cout << ", and " << added.predictionsWithoutFrame << " of frames that do not exist";
@@ -65,10 +121,18 @@ int run(int argc, char** argv)
     if (added.replaced > 0)
         std::cout << "replaced: predictions of " << added.replaced << " frames\n";
     if (added.rawlogWritten) std::cout << "written: " << files.rawlog.string() << "\n";
-    if (!embed.isSet()) std::cout << "written: " << files.sidecar.string() << "\n";
+    if (!arguments.embed.isSet()) std::cout << "written: " << files.sidecar.string() << "\n";
     if (added.imagesLinked)
         std::cout << "linked: " << files.images.string() << ", to the images of "
-                  << input.getValue() << "\n";
+                  << arguments.input.getValue() << "\n";
+}
+
+int run(int argc, char** argv)
+{
+    Arguments arguments;
+    if (!arguments.parse(argc, argv)) return 0;
+    check(arguments);
+    printSummary(add(arguments), arguments);
     return 0;
 }
 }  // namespace

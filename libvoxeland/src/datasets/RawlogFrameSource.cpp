@@ -6,7 +6,6 @@
 #include "voxeland/io/RawlogFiles.h"
 #include "voxeland/pipeline/PoseSource.h"
 
-#include <mrpt/img/CImage.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
@@ -59,10 +58,7 @@ RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions
     const RawlogFiles files(file);
     if (fs::exists(files.sidecar))
         m_sidecar = std::make_unique<GzInputFile>(files.sidecar.string());
-    // MRPT keeps this path for the whole process.
-    const fs::path images =
-        fs::is_directory(files.images) ? files.images : fs::path(file).parent_path();
-    mrpt::img::CImage::setImagesPathBase(fs::absolute(images).string());
+    files.useImages();
 }
 
 RawlogFrameSource::~RawlogFrameSource() = default;

@@ -26,7 +26,7 @@ namespace
 class FrameCounter
 {
  public:
-    FrameCounter(const std::string& rawlog, const CocoPredictions& predictions, std::string label)
+    FrameCounter(const std::string& rawlog, const PredictionSource& predictions, std::string label)
         : m_rawlog(rawlog), m_predictions(predictions), m_label(std::move(label))
     {
     }
@@ -36,10 +36,8 @@ class FrameCounter
     {
         const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation);
         if (!scan || !isChosen(scan->sensorLabel)) return nullptr;
-        const auto& camera = maskCamera(*scan);
-        const DatasetFrame frame{static_cast<int64_t>(m_added.frames++), {}};
-        auto instances = m_predictions.instancesFor(frame, static_cast<int>(camera.ncols),
-                                                    static_cast<int>(camera.nrows));
+        auto instances = m_predictions(m_added.frames++, *scan);
+        if (!instances) return nullptr;
         attachToScan(*instances, *scan);
         m_added.predictions += instances->instances.size();
         return instances;
@@ -59,7 +57,7 @@ class FrameCounter
     }
 
     std::string m_rawlog;
-    const CocoPredictions& m_predictions;
+    const PredictionSource& m_predictions;
     std::string m_label, m_seen;
     AddedPredictions m_added;
 };
@@ -141,11 +139,12 @@ bool linkImages(const fs::path& images, const fs::path& link)
 }
 }  // namespace
 
-AddedPredictions addPredictions(const std::string& input, const CocoPredictions& predictions,
+AddedPredictions addPredictions(const std::string& input, const PredictionSource& predictions,
                                 const std::string& output, const AddPredictionsOptions& options,
                                 const std::function<void(size_t frames, double share)>& progress)
 {
     const RawlogFiles source(input);
+    source.useImages();
     GzInputFile in(input);
     StagedRawlog staged(output);
     std::error_code outputIsNew;
@@ -171,7 +170,6 @@ AddedPredictions addPredictions(const std::string& input, const CocoPredictions&
                                 (options.sensorLabel.empty()
                                      ? ""
                                      : " of a sensor labelled '" + options.sensorLabel + "'"));
-    added.predictionsWithoutFrame = predictions.count() - added.predictions;
     try {
         if (!inPlace && !options.embed) fs::copy_file(source.rawlog, staged.part().rawlog);
         if (!inPlace) added.imagesLinked = linkImages(source.images, staged.part().images);
@@ -179,6 +177,22 @@ AddedPredictions addPredictions(const std::string& input, const CocoPredictions&
         throw OutputError("cannot copy " + input + " to " + output + ": " + e.code().message());
     }
     staged.putInPlace();
+    return added;
+}
+
+AddedPredictions addPredictions(const std::string& input, const CocoPredictions& predictions,
+                                const std::string& output, const AddPredictionsOptions& options,
+                                const std::function<void(size_t frames, double share)>& progress)
+{
+    const auto fromFile = [&](size_t number, const CObservation3DRangeScan& scan) {
+        const auto& camera = maskCamera(scan);
+        const DatasetFrame frame{static_cast<int64_t>(number), {}};
+        return predictions.instancesFor(frame, static_cast<int>(camera.ncols),
+                                        static_cast<int>(camera.nrows));
+    };
+    AddedPredictions added =
+        addPredictions(input, PredictionSource(fromFile), output, options, progress);
+    added.predictionsWithoutFrame = predictions.count() - added.predictions;
     return added;
 }
 }  // namespace voxeland

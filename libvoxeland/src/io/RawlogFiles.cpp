@@ -3,6 +3,8 @@
 
 #include "voxeland/errors.h"
 
+#include <mrpt/img/CImage.h>
+
 namespace fs = std::filesystem;
 
 namespace voxeland
@@ -26,6 +28,12 @@ RawlogFiles::RawlogFiles(const std::string& file) : rawlog(file)
     const std::string stem = fs::path(rawlog).replace_extension().string();
     sidecar = stem + ".instances" + EXTENSION;
     images = stem + "_Images";
+}
+
+void RawlogFiles::useImages() const
+{
+    const fs::path folder = fs::is_directory(images) ? images : rawlog.parent_path();
+    mrpt::img::CImage::setImagesPathBase(fs::absolute(folder).string());
 }
 
 StagedRawlog::StagedRawlog(const std::string& file) : m_target(file), m_part(partOf(m_target))

@@ -30,13 +30,6 @@ CategoryDistribution normalized(CategoryDistribution scores)
 
 IMPLEMENTS_SERIALIZABLE(CObservationInstances, mrpt::obs::CObservation, voxeland)
 
-void CObservationInstances::belongTo(const mrpt::obs::CObservation& scan)
-{
-    timestamp = scan.timestamp;
-    sensorLabel = scan.sensorLabel;
-    sensorPoseOnRobot = scan.sensorPose();
-}
-
 void CObservationInstances::getSensorPose(mrpt::poses::CPose3D& out) const
 {
     out = mrpt::poses::CPose3D(sensorPoseOnRobot);

@@ -2,6 +2,7 @@
 #include "voxeland/pipeline/SemanticMapper.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/observations/MaskCamera.h"
 #include "voxeland/pipeline/Integration.h"
 #include "voxeland/pipeline/MappingTrace.h"
 #include "voxeland/pipeline/Refinement.h"
@@ -58,7 +59,7 @@ void SemanticMapper::predict(RgbdFrame& frame) const
     if (!m_config.converter->makesPredictions()) return;
     const auto start = std::chrono::steady_clock::now();
     const auto predictions = m_config.converter->predict(*frame.scan);
-    predictions->belongTo(*frame.scan);
+    if (predictions) attachToScan(*predictions, *frame.scan);
     frame.instances = predictions;
     frame.detectionTime =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

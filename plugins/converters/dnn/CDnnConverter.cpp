@@ -12,7 +12,7 @@
 #include <mrpt/system/string_utils.h>
 #include <opencv2/imgproc.hpp>
 
-#include <limits>
+#include <algorithm>
 
 namespace voxeland
 {
@@ -20,8 +20,6 @@ IMPLEMENTS_MRPT_OBJECT(CDnnConverter, voxeland::COpinionConverter, voxeland)
 
 namespace
 {
-constexpr auto BOXES = "detection_out_final", MASKS = "detection_masks";  // of Mask R-CNN
-
 /** The colour image of a scan, of 8 bits, blue, green and red. */
 cv::Mat colourImage(const mrpt::obs::CObservation3DRangeScan& scan)
 {
@@ -38,6 +36,7 @@ cv::Mat colourImage(const mrpt::obs::CObservation3DRangeScan& scan)
     }
     if (image.empty()) throw InputError("the colour image of " + frame + " is empty");
     if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
+    if (image.channels() == 4) cv::cvtColor(image, image, cv::COLOR_BGRA2BGR);
     return image;
 }
 }  // namespace
@@ -49,8 +48,8 @@ std::string CDnnConverter::description() const
 
 void CDnnConverter::declareOptions(OptionList& options)
 {
-    options.add("model", m_model, "File of the network: ONNX, or a frozen TensorFlow graph");
-    options.add("config", m_config, "Description of a frozen graph (.pbtxt); empty: none");
+    options.add("model", m_files.model, "File of the network: ONNX, or a frozen TensorFlow graph");
+    options.add("config", m_files.config, "Description of a frozen graph (.pbtxt); empty: none");
     options.add("labels", m_labels,
                 "File of class names; empty: those in the model, COCO's for Mask R-CNN");
     options.add("layout", m_layout,
@@ -78,59 +77,29 @@ void CDnnConverter::declareOptions(OptionList& options)
 
 void CDnnConverter::start()
 {
-    if (m_model.empty())
+    if (m_files.model.empty())
         throw ConfigurationError("[converter] model is empty: name the file of a network");
-    m_network = std::make_unique<Network>(m_model, m_config, m_device);
-    checkInputSize();
-    nameClasses(tryNetwork());
+    const cv::Size input(static_cast<int>(m_inputWidth), static_cast<int>(m_inputHeight));
+    m_network = std::make_unique<SegmentationNetwork>(m_files, m_device, m_layout, input);
+    nameClasses();
     readAllowed();
 }
 
-void CDnnConverter::checkInputSize() const
-{
-    const cv::Size& model = m_network->inputSize();
-    const auto agrees = [](uint32_t given, int own) {
-        return given == 0 || own == 0 || given == static_cast<uint32_t>(own);
-    };
-    if (!agrees(m_inputWidth, model.width) || !agrees(m_inputHeight, model.height))
-        throw ConfigurationError("[converter] input_width and input_height: the model '" + m_model +
-                                 "' takes images of " + std::to_string(model.width) + "x" +
-                                 std::to_string(model.height) + " only, leave them 0");
-}
-
-std::optional<int> CDnnConverter::tryNetwork()
-{
-    const bool isMaskRcnn = m_network->hasLayer(BOXES) && m_network->hasLayer(MASKS);
-    if (m_layout == OutputLayout::maskRcnn && !isMaskRcnn)
-        throw InputError("the model '" + m_model + "' has no outputs " + BOXES + " and " + MASKS +
-                         ": leave the layout to be recognized");
-    if (isMaskRcnn && m_layout == OutputLayout::automatic) m_layout = OutputLayout::maskRcnn;
-    if (m_layout == OutputLayout::maskRcnn) return std::nullopt;
-    constexpr int ANY = 64;
-    const cv::Mat image(ANY, ANY, CV_8UC3, cv::Scalar::all(0));
-    const auto outputs = run(image, letterboxFor(image.size()));
-    try {
-        m_layout = recognizeLayout(outputs, m_layout);
-    } catch (const InputError& e) {
-        throw InputError("the model '" + m_model + "' cannot be used: " + e.what());
-    }
-    return numberOfClasses(m_layout, outputs);
-}
-
-void CDnnConverter::nameClasses(std::optional<int> classes)
+void CDnnConverter::nameClasses()
 {
     m_classNames = m_labels.empty() ? m_network->classNames() : readClassNames(m_labels);
-    if (m_classNames.empty() && m_layout == OutputLayout::maskRcnn)
+    if (m_classNames.empty() && m_network->layout() == OutputLayout::maskRcnn)
         for (const auto& [number, name] : cocoCategoryNames()) m_classNames.push_back(name);
     if (m_classNames.empty())
-        throw ConfigurationError("the model '" + m_model +
+        throw ConfigurationError("the model '" + m_files.model +
                                  "' holds no names of its classes: give a file with [converter] "
                                  "labels");
-    if (classes && m_classNames.size() != static_cast<size_t>(*classes))
-        throw ConfigurationError(
-            (m_labels.empty() ? "the model '" + m_model + "'" : "'" + m_labels + "'") + " names " +
-            std::to_string(m_classNames.size()) + " classes but the network tells " +
-            std::to_string(*classes) + " apart: give its own names with [converter] labels");
+    const auto classes = static_cast<size_t>(m_network->classes());
+    if (classes > 0 && m_classNames.size() != classes)
+        throw ConfigurationError("'" + (m_labels.empty() ? m_files.model : m_labels) + "' names " +
+                                 std::to_string(m_classNames.size()) +
+                                 " classes but the network tells " + std::to_string(classes) +
+                                 " apart: give its own names with [converter] labels");
 }
 
 void CDnnConverter::readAllowed()
@@ -148,36 +117,14 @@ void CDnnConverter::readAllowed()
     }
 }
 
-Letterbox CDnnConverter::letterboxFor(const cv::Size& image) const
-{
-    constexpr int USUAL = 640;
-    cv::Size input = m_network->inputSize();
-    if (input.empty()) input = m_layout == OutputLayout::maskRcnn ? image : cv::Size(USUAL, USUAL);
-    if (m_inputWidth > 0) input.width = static_cast<int>(m_inputWidth);
-    if (m_inputHeight > 0) input.height = static_cast<int>(m_inputHeight);
-    return {image, input};
-}
-
-std::vector<NetworkOutput> CDnnConverter::run(const cv::Mat& image,
-                                              const Letterbox& letterbox) const
-{
-    const bool isMaskRcnn = m_layout == OutputLayout::maskRcnn;
-    const double scale = isMaskRcnn ? 1. : 1. / std::numeric_limits<uint8_t>::max();
-    constexpr bool RED_FIRST = true;
-    const cv::Mat input = cv::dnn::blobFromImage(letterbox.fill(image), scale, {}, {}, RED_FIRST);
-    if (isMaskRcnn) return m_network->run(input, {BOXES, MASKS});
-    return m_network->run(input);
-}
-
 CObservationInstances::Ptr CDnnConverter::predict(
     const mrpt::obs::CObservation3DRangeScan& scan) const
 {
     const cv::Mat image = colourImage(scan);
-    const Letterbox letterbox = letterboxFor(image.size());
     auto predictions = CObservationInstances::Create();
     predictions->imageWidth = image.cols;
     predictions->imageHeight = image.rows;
-    for (Detection& d : decode(m_layout, run(image, letterbox), letterbox, m_limits)) {
+    for (Detection& d : m_network->detect(image, m_limits)) {
         InstancePrediction p;
         p.categories = categoriesOf(d);
         const bool wanted = m_allowed.empty() ||
@@ -194,8 +141,13 @@ CObservationInstances::Ptr CDnnConverter::predict(
 
 CategoryDistribution CDnnConverter::categoriesOf(const Detection& detection) const
 {
+    if (detection.classScores.size() > m_classNames.size())
+        throw ConfigurationError("the network tells " +
+                                 std::to_string(detection.classScores.size()) +
+                                 " classes apart but only " + std::to_string(m_classNames.size()) +
+                                 " have names: give all with [converter] labels");
     CategoryDistribution scores;
-    for (size_t c = 0; c < std::min(detection.classScores.size(), m_classNames.size()); ++c)
+    for (size_t c = 0; c < detection.classScores.size(); ++c)
         scores.push_back({m_classNames[c], detection.classScores[c]});
     scores = normalized(std::move(scores));
     if (m_topClasses > 0 && scores.size() > m_topClasses) scores.resize(m_topClasses);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "Network.h"
-#include "OutputLayout.h"
+#include "SegmentationNetwork.h"
 #include "voxeland/plugins/COpinionConverter.h"
 
 #include <memory>
-#include <optional>
 #include <set>
 
 namespace voxeland
@@ -30,25 +28,19 @@ class CDnnConverter : public COpinionConverter
                                                const VoxelizedFrame& voxels) const override;
 
  private:
-    [[nodiscard]] Letterbox letterboxFor(const cv::Size& image) const;
-    /** What the network makes of an image of 8 bits, blue, green and red. */
-    [[nodiscard]] std::vector<NetworkOutput> run(const cv::Mat& image,
-                                                 const Letterbox& letterbox) const;
-    /** How many classes the network has, where that shows before it sees an image. */
-    [[nodiscard]] std::optional<int> tryNetwork();
-    void checkInputSize() const;
-    void nameClasses(std::optional<int> classes);
+    void nameClasses();
     void readAllowed();
     [[nodiscard]] CategoryDistribution categoriesOf(const Detection& detection) const;
 
-    std::string m_model, m_config, m_labels, m_classes;
+    NetworkFiles m_files;
+    NetworkDevice m_device;
+    std::string m_labels, m_classes;
     OutputLayout m_layout = OutputLayout::automatic;
     uint32_t m_inputWidth = 0, m_inputHeight = 0, m_topClasses = 0;
     DetectionLimits m_limits;
-    Network::Device m_device;
     ClusteringOptions m_clustering;
 
-    std::unique_ptr<Network> m_network;
+    std::unique_ptr<SegmentationNetwork> m_network;
     std::vector<std::string> m_classNames;  //!< by class number
     std::set<std::string> m_allowed;        //!< empty: all
 };

@@ -77,28 +77,27 @@ std::string shapesText(const std::vector<NetworkOutput>& outputs)
     return text;
 }
 
-Network::Network(const std::string& model, const std::string& config, const Device& device)
-    : m_model(model)
+Network::Network(const NetworkFiles& files, const NetworkDevice& device) : m_model(files.model)
 {
-    if (!std::filesystem::is_regular_file(model))
-        throw InputError("there is no model '" + model + "'");
+    if (!std::filesystem::is_regular_file(m_model))
+        throw InputError("there is no model '" + m_model + "'");
     const SilentOpenCV silent;
     try {
-        if (std::filesystem::path(model).extension() == ".onnx") {
-            OnnxFile onnx(model);
+        if (std::filesystem::path(m_model).extension() == ".onnx") {
+            OnnxFile onnx(m_model);
             m_inputSize = onnx.input;
             m_classNames = std::move(onnx.classNames);
             m_net = cv::dnn::readNetFromONNX(onnx.bytes);
         } else {
-            m_net = cv::dnn::readNet(model, config);
+            m_net = cv::dnn::readNet(m_model, files.config);
         }
     } catch (const cv::Exception& e) {
-        throw failure(model, e);
+        throw failure(m_model, e);
     }
     choose(device);
 }
 
-void Network::choose(const Device& device)
+void Network::choose(const NetworkDevice& device)
 {
     std::string wanted, available;
     bool isThere = false;

@@ -28,22 +28,27 @@ const Words<cv::dnn::Backend>& backendWords();
 /** Where they may run. */
 const Words<cv::dnn::Target>& targetWords();
 
+/** Where a network comes from. */
+struct NetworkFiles
+{
+    std::string model;   //!< ONNX if the name ends so, otherwise whatever OpenCV knows
+    std::string config;  //!< description of the graph, for frozen TensorFlow graphs; may be empty
+};
+
+/** Where a network runs. */
+struct NetworkDevice
+{
+    cv::dnn::Backend backend = cv::dnn::DNN_BACKEND_OPENCV;
+    cv::dnn::Target target = cv::dnn::DNN_TARGET_CPU;
+};
+
 /** A network that OpenCV runs. */
 class Network
 {
  public:
-    /** Where networks run, of what OpenCV was built for. */
-    struct Device
-    {
-        cv::dnn::Backend backend = cv::dnn::DNN_BACKEND_OPENCV;
-        cv::dnn::Target target = cv::dnn::DNN_TARGET_CPU;
-    };
-
-    /** \param model ONNX if the name ends so, otherwise whatever OpenCV knows
-     *  \param config description of the graph, for frozen TensorFlow graphs; may be empty
-     *  \throws InputError if the model cannot be used, ConfigurationError if this OpenCV lacks the
+    /** \throws InputError if the model cannot be used, ConfigurationError if this OpenCV lacks the
      *  device */
-    Network(const std::string& model, const std::string& config, const Device& device);
+    Network(const NetworkFiles& files, const NetworkDevice& device);
 
     /** Size of the input [pixels]; 0x0 if the model does not say. */
     [[nodiscard]] const cv::Size& inputSize() const { return m_inputSize; }
@@ -60,7 +65,7 @@ class Network
                                                  std::vector<std::string> outputs = {}) const;
 
  private:
-    void choose(const Device& device);
+    void choose(const NetworkDevice& device);
 
     std::string m_model;
     mutable std::mutex m_mutex;

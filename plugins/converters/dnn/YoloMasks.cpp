@@ -55,9 +55,9 @@ Detection detectionOf(const YoloCandidate& candidate, const cv::Mat& prototypes,
     Detection detection;
     detection.box = letterbox.toImage(candidate.box);
     const double threshold = std::log(maskThreshold / (1 - maskThreshold));
-    const cv::Rect inside = pixelsOf(detection.box);
+    const cv::Rect inside = pixelsOf(detection.box) & cv::Rect({0, 0}, letterbox.image());
     cv::Mat mask(letterbox.image(), CV_8U, cv::Scalar(0));
-    cv::compare(ofImage(inside), threshold, mask(inside), cv::CMP_GT);
+    if (!inside.empty()) cv::compare(ofImage(inside), threshold, mask(inside), cv::CMP_GT);
     detection.mask = RunLengthMask::fromBitmap(mask.data, mask.cols, mask.rows);
     detection.classScores = candidate.classScores;
     detection.score = candidate.score;

@@ -5,8 +5,18 @@
 #include <functional>
 #include <string>
 
+namespace mrpt::obs
+{
+class CObservation3DRangeScan;
+}
+
 namespace voxeland
 {
+/** Gives the predictions for an RGB-D frame, without timestamp, label and sensor pose; null: none.
+ *  \param frame its number, from 0 */
+using PredictionSource = std::function<CObservationInstances::Ptr(
+    size_t frame, const mrpt::obs::CObservation3DRangeScan& scan)>;
+
 /** How addPredictions() works. */
 struct AddPredictionsOptions
 {
@@ -34,6 +44,12 @@ struct AddedPredictions
  *  \throws InputError if the rawlog is missing, cut off, or holds predictions already (without
  *  embed); NothingToMapError if it has no RGB-D frames; ConfigurationError if it has several
  *  sensors' and none is chosen; OutputError */
+AddedPredictions addPredictions(const std::string& input, const PredictionSource& predictions,
+                                const std::string& output, const AddPredictionsOptions& options,
+                                const std::function<void(size_t frames, double share)>& progress);
+
+/** The same with predictions from a file, of which those of frames that do not exist are counted.
+ */
 AddedPredictions addPredictions(const std::string& input, const CocoPredictions& predictions,
                                 const std::string& output, const AddPredictionsOptions& options,
                                 const std::function<void(size_t frames, double share)>& progress);

@@ -11,6 +11,10 @@ struct RawlogFiles
     /** \throws ConfigurationError unless the name ends in .rawlog */
     explicit RawlogFiles(const std::string& file);
 
+    /** Makes MRPT look for the rawlog's external images where they are: in `images`, or beside the
+     * rawlog. MRPT keeps one such path for the whole process. */
+    void useImages() const;
+
     std::filesystem::path rawlog;   //!< NAME.rawlog
     std::filesystem::path sidecar;  //!< NAME.instances.rawlog: predictions
     std::filesystem::path images;   //!< NAME_Images: folder of external images

@@ -52,9 +52,6 @@ class CObservationInstances : public mrpt::obs::CObservation
     std::vector<InstancePrediction> instances;  //!< in the detector's order
     mrpt::math::TPose3D sensorPoseOnRobot;      //!< pose of the camera on the robot
 
-    /** Makes this the predictions for a scan: of the same time, label and sensor pose. */
-    void belongTo(const mrpt::obs::CObservation& scan);
-
     void getSensorPose(mrpt::poses::CPose3D& out) const override;
     void setSensorPose(const mrpt::poses::CPose3D& pose) override;
     void getDescriptionAsText(std::ostream& o) const override;

@@ -31,7 +31,8 @@ class COpinionConverter : public Plugin
     /** The class's own predictions for a scan, without timestamp, label and sensor pose; they
      * become the frame's before convert(). Called if makesPredictions(), ahead of mapping, for one
      * frame after another.
-     *  \throws InputError, naming the frame, if the scan lacks what is needed */
+     *  \return null if the scan holds nothing to make them from, and may be mapped without
+     *  \throws InputError, naming the frame, if it lacks what is needed */
     [[nodiscard]] virtual std::shared_ptr<CObservationInstances> predict(
         const mrpt::obs::CObservation3DRangeScan&) const
     {
