@@ -29,19 +29,48 @@ class SilentOpenCV
     logging::LogLevel m_before;
 };
 
-/** What OpenCV reports over several lines, in one sentence about a model. */
-InputError failure(const std::string& model, const cv::Exception& e)
+const char* const REMEDY = ": export it anew with opset=12 simplify=True, or use a newer OpenCV";
+
+/** Why a model cannot be loaded: OpenCV reports over several lines, this is one sentence. */
+InputError loadFailure(const std::string& model, const cv::Exception& e)
 {
     const std::string opencv = "OpenCV " + cv::getVersionString();
     std::smatch found;
     if (std::regex_search(e.err, found, std::regex(R"(Node \[([^\]@]+))")))
         return InputError("the model '" + model + "' has an operation '" + found.str(1) +
-                          "' that " + opencv +
-                          " lacks or cannot do this way: export it anew with opset=12 "
-                          "simplify=True, or use a newer OpenCV");
-    std::string reason = e.err.substr(0, e.err.find('\n'));
-    if (e.func != "") reason += " (in " + e.func + ")";
-    return InputError(opencv + " cannot use the model '" + model + "': " + reason);
+                          "' that " + opencv + " lacks or cannot do this way" + REMEDY);
+    return InputError(opencv + " cannot use the model '" + model +
+                      "': " + e.err.substr(0, e.err.find('\n')));
+}
+
+/** Name and type of the first layer that fails on the input that was set; empty if none does. */
+std::string firstFailingLayer(cv::dnn::Net& net)
+{
+    const std::vector<std::string> names = net.getLayerNames();
+    const auto works = [&net](const std::string& name) {
+        try {
+            net.forward(name);
+            return true;
+        } catch (const cv::Exception&) {
+            return false;
+        }
+    };
+    const auto first = std::partition_point(names.begin(), names.end(), works);
+    if (first == names.end()) return {};
+    const std::string name = first->substr(first->find('!') + 1);  // OpenCV adds "onnx_node!"
+    return "'" + name + "' (" + net.getLayer(net.getLayerId(*first))->type + ")";
+}
+
+/** Why a model cannot be run on the input that was set, in one sentence. */
+InputError runFailure(const std::string& model, cv::dnn::Net& net, const cv::Exception& e)
+{
+    const std::string opencv = "OpenCV " + cv::getVersionString();
+    const std::string layer = firstFailingLayer(net);
+    if (!layer.empty())
+        return InputError(opencv + " cannot do the operation " + layer + " of the model '" + model +
+                          "'" + REMEDY);
+    return InputError(opencv + " cannot run the model '" + model +
+                      "': " + e.err.substr(0, e.err.find('\n')));
 }
 }  // namespace
 
@@ -92,7 +121,7 @@ Network::Network(const NetworkFiles& files, const NetworkDevice& device) : m_mod
             m_net = cv::dnn::readNet(m_model, files.config);
         }
     } catch (const cv::Exception& e) {
-        throw failure(m_model, e);
+        throw loadFailure(m_model, e);
     }
     choose(device);
 }
@@ -141,7 +170,7 @@ std::vector<NetworkOutput> Network::run(const cv::Mat& images, std::vector<std::
             outputs.push_back({names[i], tensors[i].clone()});  // the next run writes to the same
         }
     } catch (const cv::Exception& e) {
-        throw failure(m_model, e);
+        throw runFailure(m_model, m_net, e);
     }
     return outputs;
 }

@@ -22,10 +22,23 @@ std::string part(size_t field, const std::string& content)
     return varint(field << 3 | 2) + varint(content.size()) + content;
 }
 
+constexpr size_t FLOAT = 1;
+
+/** A TensorProto. */
+std::string zeros(const std::string& name, const std::vector<int>& shape)
+{
+    std::string dimensions;
+    size_t bytes = sizeof(float);
+    for (const int size : shape) {
+        dimensions += integer(1, static_cast<size_t>(size));
+        bytes *= static_cast<size_t>(size);
+    }
+    return dimensions + integer(2, FLOAT) + part(8, name) + part(9, std::string(bytes, '\0'));
+}
+
 /** A ValueInfoProto. */
 std::string tensor(const std::string& name, const std::vector<int>& shape)
 {
-    constexpr size_t FLOAT = 1;
     std::string dimensions;
     for (const int size : shape)
         dimensions += part(1, size == 0 ? part(2, "any") : integer(1, static_cast<size_t>(size)));
@@ -34,7 +47,7 @@ std::string tensor(const std::string& name, const std::vector<int>& shape)
 }  // namespace
 
 std::string smallOnnx(const std::vector<OnnxNode>& nodes, const std::vector<int>& inputShape,
-                      const std::vector<std::string>& outputs, const std::string& names)
+                      const std::string& names, const std::vector<int>& constantShape)
 {
     std::string graph;
     for (const OnnxNode& n : nodes) {
@@ -43,8 +56,8 @@ std::string smallOnnx(const std::vector<OnnxNode>& nodes, const std::vector<int>
         for (const auto& name : n.outputs) node += part(2, name);
         graph += part(1, node + part(3, n.operation + "_node") + part(4, n.operation));
     }
-    graph += part(2, "graph") + part(11, tensor("x", inputShape));
-    for (const auto& name : outputs) graph += part(12, tensor(name, inputShape));
+    graph += part(2, "graph") + part(5, zeros("c", constantShape)) +
+             part(11, tensor("x", inputShape)) + part(12, tensor("y", inputShape));
     const std::string metadata = names.empty() ? "" : part(14, part(1, "names") + part(2, names));
     constexpr size_t IR_VERSION = 7, OPSET = 12;
     return integer(1, IR_VERSION) + part(7, graph) + part(8, integer(2, OPSET)) + metadata;

@@ -12,10 +12,9 @@ struct OnnxNode
     std::vector<std::string> inputs, outputs;
 };
 
-/** The bytes of an ONNX model with an input "x" of float.
+/** The bytes of an ONNX model with an input "x" of float, a constant "c" of zeros and a result "y".
  *  \param inputShape sizes; 0 stands for one that is not given
- *  \param outputs names of the tensors that are results
  *  \param names value of the metadata "names"; empty: no metadata */
 std::string smallOnnx(const std::vector<OnnxNode>& nodes, const std::vector<int>& inputShape,
-                      const std::vector<std::string>& outputs, const std::string& names = "");
+                      const std::string& names = "", const std::vector<int>& constantShape = {1});
 }  // namespace voxeland::test

@@ -35,7 +35,7 @@ class OnnxFileTest : public testing::Test
 
 std::string model(const std::vector<int>& inputShape, const std::string& names = "")
 {
-    return smallOnnx({{"Relu", {"x"}, {"y"}}}, inputShape, {"y"}, names);
+    return smallOnnx({{"Relu", {"x"}, {"y"}}}, inputShape, names);
 }
 }  // namespace
 
