@@ -4,6 +4,7 @@
 #include "common/PointArgument.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AnswersAsText.h"
+#include "voxeland/io/InstanceExplanation.h"
 #include "voxeland/io/MapAnswers.h"
 #include "voxeland/io/Reobservation.h"
 #include "voxeland/io/UpDirection.h"
@@ -23,6 +24,8 @@ const char* const DESCRIPTION = R"(Tells what a Voxeland map holds: a summary, o
   voxeland-info kitchen.voxeland --find cup --from 1,2,0
   voxeland-info kitchen.voxeland --at 1.2,0.5,0.7       everything known of one place
   voxeland-info kitchen.voxeland --reobserve            what to look at again, and where from
+  voxeland-info kitchen.voxeland --explain 12           why object 12 is what it is: evidence, views,
+                                                        merges, splits, decisions
 
 --find ignores case; where no category has that name, part of one will do ("table" finds
 "dining table"). Finding nothing is an answer, not an error. With --json, the same as JSON.
@@ -67,6 +70,9 @@ struct Arguments : apps::CommandLine
         "", "reobserve",
         "Objects and regions worth another look, the most uncertain first, and where to look from",
         parser()};
+    TCLAP::ValueArg<instance_id_t> explain{
+        "",   "explain", "Evidence, views, merges, splits and decisions of one object", false, 0,
+        "ID", parser()};
     TCLAP::ValueArg<std::string> from{
         "",      "from",  "Where --find measures distances from (default: the origin)", false, "",
         "X,Y,Z", parser()};
@@ -86,9 +92,11 @@ struct Arguments : apps::CommandLine
 void check(Arguments& arguments)
 {
     const int questions = int{arguments.instances.isSet()} + int{arguments.find.isSet()} +
-                          int{arguments.at.isSet()} + int{arguments.reobserve.isSet()};
+                          int{arguments.at.isSet()} + int{arguments.reobserve.isSet()} +
+                          int{arguments.explain.isSet()};
     if (questions > 1)
-        throw ConfigurationError("choose one of --instances, --find, --at and --reobserve");
+        throw ConfigurationError(
+            "choose one of --instances, --find, --at, --explain and --reobserve");
     if (arguments.from.isSet() && !arguments.find.isSet())
         throw ConfigurationError("--from goes with --find, name a category");
     const bool forReobserve =
@@ -135,6 +143,16 @@ std::string reobservation(Arguments& arguments, const SemanticVoxelMap& map)
     return arguments.json.isSet() ? asJson(targets) : asText(targets);
 }
 
+std::string explanation(Arguments& arguments, const SemanticVoxelMap& map)
+{
+    const instance_id_t wanted = arguments.explain.getValue(), id = map.resolve(wanted);
+    if (id == UNKNOWN_INSTANCE)
+        throw ConfigurationError("--explain: there is no object " + std::to_string(wanted) +
+                                 " in this map: see --instances");
+    if (id != wanted) std::cerr << "object " << wanted << " was merged into object " << id << "\n";
+    return arguments.json.isSet() ? explanationAsJson(map, id) : explanationAsText(map, id);
+}
+
 std::string summary(Arguments& arguments, const CVoxelandMap& loaded)
 {
     const MapOverview overview = overviewOf(loaded.map(), loaded.counts());
@@ -145,6 +163,7 @@ std::string answer(Arguments& arguments, const CVoxelandMap& loaded)
 {
     if (arguments.instances.isSet() || arguments.find.isSet()) return instances(arguments, loaded);
     if (arguments.at.isSet()) return place(arguments, loaded.map());
+    if (arguments.explain.isSet()) return explanation(arguments, loaded.map());
     if (arguments.reobserve.isSet()) return reobservation(arguments, loaded.map());
     return summary(arguments, loaded);
 }

@@ -106,3 +106,25 @@ TEST(MapperConfig, AMissingPluginDoesNotHideTheOtherProblems)
         EXPECT_FALSE(contains(message, "'tau'")) << "the plugin might know it: " << message;
     }
 }
+
+TEST(MapperConfig, UnknownPoseSourcesAndDisambiguationKeysAreFound)
+{
+    const auto problem = [](const std::string& ini) {
+        try {
+            MapperConfig(Ini::fromText(ini, "the test"));
+        } catch (const ConfigurationError& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(problem("[voxeland]\npose_source = gps\n").find("robot_pose"), std::string::npos);
+    EXPECT_NE(problem("[voxeland]\npose_source = tum:\n").find("tum:<file>"), std::string::npos);
+    EXPECT_EQ(problem("[voxeland]\npose_source = tum:any.tum\n"), "");
+    EXPECT_NE(problem("[disambiguation]\nview_selection = best\n").find("largest-spread"),
+              std::string::npos);
+    EXPECT_NE(problem("[disambiguation]\nentropy_treshold = 1\n").find("entropy_threshold"),
+              std::string::npos);
+    EXPECT_EQ(problem("[disambiguation]\nplugin = replay\nclass = CReplayDisambiguator\n"
+                      "folder = q\nview_selection = spread\n"),
+              "");
+}

@@ -32,31 +32,74 @@ VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame)
       m_frame(frame),
       m_axes({toLevel({1, 0, 0}), toLevel({0, 1, 0}), toLevel({0, 0, 1})})
 {
-    std::vector<VoxelCoord> coords;
+    collect(map);
+    if (m_voxels.empty()) return;
+    const float cut = cutHeight();
+    keepIf([cut](const SceneVoxel& v) { return v.isObject() || v.center[2] <= cut; });
+    findExposedFaces();
+    findBounds();
+}
+
+VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame, instance_id_t instance,
+                       double surroundings)
+    : m_resolution(map.resolution()),
+      m_frame(frame),
+      m_axes({toLevel({1, 0, 0}), toLevel({0, 1, 0}), toLevel({0, 0, 1})})
+{
+    collect(map);
+    keepIf([instance](const SceneVoxel& v) { return v.winner == instance; });
+    if (m_voxels.empty()) return;
+    findBounds();
+    const auto reach = static_cast<float>(surroundings);
+    m_min -= cv::Vec3f::all(reach);
+    m_max += cv::Vec3f::all(reach);
+    m_voxels.clear();
+    m_coords.clear();
+    collect(map);
+    keepIf([this](const SceneVoxel& v) {
+        for (int a = 0; a < 3; ++a)
+            if (v.center[a] < m_min[a] || v.center[a] > m_max[a]) return false;
+        return true;
+    });
+    for (SceneVoxel& v : m_voxels)
+        if (v.winner != instance) v.winner = UNKNOWN_INSTANCE;
+    findExposedFaces();
+}
+
+void VoxelScene::collect(const SemanticVoxelMap& map)
+{
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
         const cv::Vec3f center = toLevel(voxelCenter<mrpt::math::TPoint3D>(v, m_resolution));
         m_voxels.push_back({center, &evidence, map.winner(evidence), 0});
-        coords.push_back(v);
+        m_coords.push_back(v);
     });
-    if (m_voxels.empty()) return;
+}
 
-    const float cut = cutHeight();
-    std::unordered_map<uint64_t, bool> isObject;
+template <typename F>
+void VoxelScene::keepIf(F&& keep)
+{
     size_t kept = 0;
     for (size_t i = 0; i < m_voxels.size(); ++i) {
-        if (!m_voxels[i].isObject() && m_voxels[i].center[2] > cut) continue;
-        isObject[packed(coords[i])] = m_voxels[i].isObject();
+        if (!keep(m_voxels[i])) continue;
         m_voxels[kept] = m_voxels[i];
-        coords[kept++] = coords[i];
+        m_coords[kept++] = m_coords[i];
     }
     m_voxels.resize(kept);
-    for (size_t i = 0; i < kept; ++i)
+    m_coords.resize(kept);
+}
+
+void VoxelScene::findExposedFaces()
+{
+    std::unordered_map<uint64_t, bool> isObject;
+    for (size_t i = 0; i < m_voxels.size(); ++i)
+        isObject[packed(m_coords[i])] = m_voxels[i].isObject();
+    for (size_t i = 0; i < m_voxels.size(); ++i)
         for (size_t f = 0; f < FACES.size(); ++f) {
-            const auto at = isObject.find(packed(coords[i] + FACES[f]));
+            const auto at = isObject.find(packed(m_coords[i] + FACES[f]));
             const bool covered = at != isObject.end() && at->second == m_voxels[i].isObject();
             if (!covered) m_voxels[i].exposedFaces |= static_cast<uint8_t>(1U << f);
         }
-    findBounds();
+    m_coords.clear();
 }
 
 cv::Vec3f VoxelScene::toLevel(const mrpt::math::TPoint3D& inMap) const

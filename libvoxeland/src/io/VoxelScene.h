@@ -27,6 +27,10 @@ class VoxelScene
 {
  public:
     VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame);
+    /** One instance and what is around it: no other voxel counts as an object.
+     *  \param surroundings how far the scene reaches beyond the instance's box [m] */
+    VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame, instance_id_t instance,
+               double surroundings);
 
     [[nodiscard]] const std::vector<SceneVoxel>& voxels() const { return m_voxels; }
     [[nodiscard]] double resolution() const { return m_resolution; }
@@ -41,12 +45,19 @@ class VoxelScene
  private:
     /** Up to which height voxels of *unknown* are shown, see exportViews(). */
     [[nodiscard]] float cutHeight() const;
+    /** All occupied voxels of a map; faces and bounds are still to be found. */
+    void collect(const SemanticVoxelMap& map);
+    /** Drops voxels for which keep(voxel) is false. */
+    template <typename F>
+    void keepIf(F&& keep);
+    void findExposedFaces();
     void findBounds();
 
     double m_resolution;
     LevelFrame m_frame;
     std::array<cv::Vec3f, 3> m_axes;
     std::vector<SceneVoxel> m_voxels;
+    std::vector<VoxelCoord> m_coords;  //!< of the voxels, while the scene is made
     cv::Vec3f m_min{0, 0, 0}, m_max{1, 1, 1};
 };
 }  // namespace voxeland

@@ -6,6 +6,7 @@
 #include "voxeland/plugins/PluginLoader.h"
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 namespace voxeland
@@ -90,6 +91,42 @@ void declare(OptionList& list, RefinementOptions& o)
              "Nor do parts with a smaller share of the instance's voxels");
 }
 
+void declare(OptionList& list, DisambiguationOptions& o)
+{
+    list.add("entropy_threshold", o.entropy_threshold, {0, INF},
+             "Instances whose category is more uncertain are asked about; depends on [map] "
+             "entropy [nat]");
+    list.add("min_voxels", o.min_voxels, {1, 1e6}, "Smaller instances are not asked about");
+    list.add("ask_again", o.ask_again, "Also ask about instances that have a decision");
+    list.add("max_questions", o.max_questions, {0, 1e6},
+             "Questions of a run, the most uncertain instances first; 0: no limit");
+    list.add("max_categories", o.max_categories, {1, 100}, "Candidates of a question");
+    list.add("views_per_category", o.views_per_category, {1, 100},
+             "Pictures of each candidate's views");
+    list.add("view_selection", o.view_selection,
+             std::vector<std::pair<std::string, ViewSelection>>{
+                 {"largest-spread", ViewSelection::largestSpread},
+                 {"spread", ViewSelection::spread},
+                 {"largest", ViewSelection::largest},
+                 {"random", ViewSelection::random}},
+             "Which views, of those the map keeps");
+    list.add("seed", o.seed, {0, 4e9}, "Seed of random views");
+    list.add("crop_margin", o.crop_margin, {0, 10},
+             "Margin around the object, in shares of its longer side");
+    list.add("picture_size", o.picture_size, {64, 8192}, "Longer side of a picture [pixels]");
+    list.add("whole_frame", o.whole_frame, "Also show the best view's whole frame");
+    list.add("voxel_picture", o.voxel_picture, "Also show the object's voxels");
+    list.add("prompt", o.prompt,
+             "File of the prompt's template; empty: the built-in one, share/prompts/"
+             "disambiguate.txt");
+    list.add("max_attempts", o.max_attempts, {1, 100}, "Times to ask until an answer can be used");
+    list.add("parallel", o.parallel, {1, 64}, "Questions asked at a time");
+    list.add("decision_weight", o.decision_weight, {0.001, 1e6},
+             "Evidence of an answer, as a multiple of all evidence before; above 1 it wins");
+    list.add("prompt_price", o.prompt_price, {0, INF}, "Price of a million tokens of questions");
+    list.add("answer_price", o.answer_price, {0, INF}, "Price of a million tokens of answers");
+}
+
 /** What is wrong with an INI. */
 struct Problems
 {
@@ -117,8 +154,10 @@ struct PluginSection
     OptionList options;
     std::shared_ptr<Base> object;
 
+    /** \param declareOthers declares the section's keys that no plugin owns */
     PluginSection(const Ini& ini, std::string name, std::string defaultLibrary,
-                  std::string defaultClass, Problems& problems)
+                  std::string defaultClass, Problems& problems,
+                  const std::function<void(OptionList&)>& declareOthers = nullptr)
         : section(std::move(name)),
           library(std::move(defaultLibrary)),
           className(std::move(defaultClass))
@@ -138,6 +177,7 @@ struct PluginSection
         }
         options.add("plugin", library, "Plugin library; empty: the class is already loaded");
         options.add("class", className, object->description());
+        if (declareOthers) declareOthers(options);
         object->declareOptions(options);
         options.load(ini, section, problems.settings);
     }
@@ -190,11 +230,15 @@ MapperConfig::MapperConfig(const Ini& ini)
                                                       "CRecordedInstancesConverter", problems);
     PluginSection<CAssociationPolicy> associationSection(
         ini, "association", "evidential_association", "CEvidentialAssociation", problems);
+    PluginSection<CDisambiguator> disambiguationSection(
+        ini, "disambiguation", "top_category", "CTopCategoryDisambiguator", problems,
+        [this](OptionList& list) { declare(list, disambiguation); });
     problems.report(ini.origin());
     converterSection.object->start();
     associationSection.object->start();
     converter = converterSection.object;
     association = associationSection.object;
+    disambiguator = disambiguationSection.object;
 
     const auto print = [&] {
         std::ostringstream out;
@@ -207,6 +251,8 @@ MapperConfig::MapperConfig(const Ini& ini)
         associationSection.options.print(out, "association");
         out << "\n";
         refinementList.print(out, "refinement");
+        out << "\n";
+        disambiguationSection.options.print(out, "disambiguation");
         return out.str();
     };
     m_text = print();

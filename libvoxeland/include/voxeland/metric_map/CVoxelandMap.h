@@ -38,6 +38,8 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     explicit CVoxelandMap(const MapperConfig& config);
 
     [[nodiscard]] const SemanticVoxelMap& map() const { return m_map; }
+    /** For those who change what is known of instances or categories. */
+    [[nodiscard]] SemanticVoxelMap& editMap() { return m_map; }
     [[nodiscard]] const MappingCounts& counts() const { return m_counts; }
     /** INI text that reproduces the map's configuration; empty: all defaults. */
     [[nodiscard]] const std::string& configText() const { return m_configText; }

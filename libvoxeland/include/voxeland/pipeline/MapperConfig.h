@@ -2,7 +2,9 @@
 #pragma once
 #include "voxeland/map/SemanticVoxelMap.h"
 #include "voxeland/observations/VoxelizedFrame.h"
+#include "voxeland/pipeline/DisambiguationOptions.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
+#include "voxeland/plugins/CDisambiguator.h"
 #include "voxeland/plugins/COpinionConverter.h"
 #include "voxeland/plugins/Ini.h"
 
@@ -53,7 +55,7 @@ struct RefinementOptions
     double min_part_share = 0.1;  //!< ... and its least share of the instance's voxels
 };
 
-/** Everything an INI says about mapping, checked, with the plugins it names. Copies share the
+/** Everything an INI says, checked, with the plugins it names. Copies share the
  * plugins, which do not change once configured. */
 class MapperConfig
 {
@@ -69,8 +71,11 @@ class MapperConfig
     MapOptions map;
     IntegrationOptions integration;
     RefinementOptions refinement;
+    DisambiguationOptions disambiguation;
     std::shared_ptr<const COpinionConverter> converter;
     std::shared_ptr<const CAssociationPolicy> association;
+    /** Configured, but not started: mapping does without it. */
+    std::shared_ptr<CDisambiguator> disambiguator;
 
     /** All sections with all keys, effective values and comments: an INI that reads back as this.
      */

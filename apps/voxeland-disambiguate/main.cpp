@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Asks a back-end about the objects of a map whose category is uncertain. */
+#include "common/CommandLine.h"
+#include "common/Progress.h"
+#include "voxeland/disambiguation/Asking.h"
+#include "voxeland/disambiguation/Checkpoint.h"
+#include "voxeland/disambiguation/Decisions.h"
+#include "voxeland/disambiguation/DisambiguationReport.h"
+#include "voxeland/disambiguation/DryRun.h"
+#include "voxeland/disambiguation/Questions.h"
+#include "voxeland/disambiguation/ViewPictures.h"
+#include "voxeland/errors.h"
+#include "voxeland/io/AtomicFile.h"
+#include "voxeland/io/RawlogFiles.h"
+#include "voxeland/io/UpDirection.h"
+#include "voxeland/metric_map/CVoxelandMap.h"
+#include "voxeland/metric_map/MapFile.h"
+#include "voxeland/plugins/PluginLoader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+using namespace voxeland;
+
+namespace
+{
+const char* const DESCRIPTION =
+    R"(Asks about the objects of a map whose category is uncertain, with pictures of their best views.
+
+  voxeland-disambiguate -m kitchen.voxeland -i kitchen.rawlog -c my.ini --dry-run questions
+  voxeland-disambiguate -m kitchen.voxeland -i kitchen.rawlog -c my.ini -o decided.voxeland
+  voxeland-disambiguate -m decided.voxeland -o before.voxeland --undo all
+
+Who is asked, and about what, is said in section [disambiguation] of the INI: a model behind the chat
+completions protocol, a person, recorded answers, or by default nobody (the likeliest category stays).
+share/config/disambiguate-*.ini are examples. The rawlog is the one the map was made from.
+
+The output is written after each answer. Run the same command again to go on where a run stopped.
+Exit codes: 0 done, 1 usage or configuration, 2 back-end, 3 input, 5 output, 130 interrupted.)";
+
+/** The program's command line. */
+struct Arguments : apps::CommandLine
+{
+    Arguments() : CommandLine(DESCRIPTION) {}
+
+    TCLAP::ValueArg<std::string> undo{
+        "",       "undo",  "Take the decisions about an instance, or all of them, back", false, "",
+        "ID|all", parser()};
+    TCLAP::ValueArg<std::string> report{
+        "", "report", "Write what was asked and what came of it", false, "", "F.json", parser()};
+    TCLAP::ValueArg<std::string> dryRun{
+        "",    "dry-run", "Write what would be asked into this folder, and ask nothing", false, "",
+        "DIR", parser()};
+    TCLAP::MultiArg<std::string> set{"",
+                                     "set",
+                                     "Set a key of the configuration; may be repeated",
+                                     false,
+                                     "section.key=value",
+                                     parser()};
+    TCLAP::ValueArg<std::string> output{"o", "output",       "Map to write", false,
+                                        "",  "MAP.voxeland", parser()};
+    TCLAP::ValueArg<std::string> config{
+        "c",        "config", "Configuration (default: the one stored in the map)", false, "",
+        "FILE.ini", parser()};
+    TCLAP::ValueArg<std::string> input{
+        "i",           "input", "Rawlog or simplemap the map was made from", false, "",
+        "FILE.rawlog", parser()};
+    TCLAP::ValueArg<std::string> map{"m", "map", "Map to read", true, "", "MAP.voxeland", parser()};
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void onInterrupt(int)
+{
+    interrupted = 1;
+    std::signal(SIGINT, SIG_DFL);  // a second one ends the program at once
+}
+
+Ini configuration(Arguments& arguments, const CVoxelandMap& map)
+{
+    Ini ini = arguments.config.isSet() ? Ini::fromFile(arguments.config.getValue())
+                                       : Ini::fromText(map.configText(), arguments.map.getValue());
+    for (const std::string& assignment : arguments.set.getValue()) ini.set(assignment);
+    return ini;
+}
+
+void checkArguments(Arguments& arguments)
+{
+    const bool asks = !arguments.undo.isSet();
+    if (asks && !arguments.input.isSet())
+        throw ConfigurationError("give the rawlog the map was made from with -i (see --help)");
+    if (!arguments.output.isSet() && !arguments.dryRun.isSet())
+        throw ConfigurationError("give a map to write with -o, or --dry-run (see --help)");
+    const std::string& input = arguments.input.getValue();
+    const bool isRawlog = std::filesystem::path(input).extension() == ".rawlog";
+    apps::checkOutputs(
+        {arguments.output.getValue(), arguments.report.getValue()},
+        {arguments.map.getValue(), input, isRawlog ? RawlogFiles(input).sidecar.string() : "",
+         arguments.config.getValue()});
+    if (arguments.output.isSet())
+        const AtomicFile checked(arguments.output.getValue());  // complain before the work
+}
+
+int undo(Arguments& arguments, CVoxelandMap& map)
+{
+    const std::string& what = arguments.undo.getValue();
+    std::optional<instance_id_t> instance;
+    if (what != "all") {
+        instance_id_t id = UNKNOWN_INSTANCE;
+        const auto [end, error] = std::from_chars(what.data(), what.data() + what.size(), id);
+        if (error != std::errc() || end != what.data() + what.size() ||
+            map.map().resolve(id) == UNKNOWN_INSTANCE)
+            throw ConfigurationError("--undo: there is no instance '" + what +
+                                     "': name one of voxeland-info --instances, or all");
+        instance = id;
+    }
+    const size_t undone = undoDecisions(map.editMap(), instance);
+    saveMap(map, arguments.output.getValue());
+    std::cout << "took " << undone << " decisions back\n";
+    return 0;
+}
+
+/** The questions to ask about a map, with their pictures. */
+std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const SemanticVoxelMap& map,
+                                                  const MapperConfig& config)
+{
+    const Prompt prompt(config.disambiguation.prompt);
+    auto uncertain = uncertainInstances(map, config.disambiguation);
+    size_t missing = 0;
+    {
+        apps::Progress progress("% of the rawlog", 100, !arguments.quiet());
+        missing = fetchPictures(uncertain, arguments.input.getValue(), config, [&](double share) {
+            progress.update(static_cast<size_t>(100 * share), share);
+        });
+    }
+    if (missing > 0)
+        std::cerr << "voxeland-disambiguate: warning: the rawlog lacks the frames of " << missing
+                  << " views; was the map made from several?\n";
+    const auto up = estimateUp(map);
+    std::vector<DisambiguationQuestion> questions;
+    for (const UncertainInstance& u : uncertain) {
+        const bool shown = std::any_of(u.views.begin(), u.views.end(),
+                                       [](const ChosenView& v) { return !v.picture.empty(); });
+        if (shown) questions.push_back(questionAbout(u, map, up, prompt, config.disambiguation));
+    }
+    return questions;
+}
+
+void sayEstimate(const Estimate& e)
+{
+    std::cout << e.questions << " questions with " << e.pictures << " pictures, about " << e.tokens
+              << " tokens";
+    if (e.cost > 0) std::cout << ", cost about " << e.cost;
+    std::cout << "\n";
+}
+
+/** Ends the program without waiting for what is being asked. */
+[[noreturn]] void endInterrupted(size_t answered)
+{
+    std::cout.flush();
+    std::cerr << "\nvoxeland-disambiguate: interrupted; " << answered
+              << " answers are kept, run the same command again to go on\n";
+    std::_Exit(130);
+}
+
+/** Asks all questions; the map is saved whenever answers have come. \return what came of them */
+DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const MapperConfig& config,
+                            std::vector<DisambiguationQuestion> questions)
+{
+    DisambiguationReport report;
+    for (const DisambiguationQuestion& q : questions) report.before(map.map(), q.instance);
+    apps::Progress progress("questions", questions.size(), !arguments.quiet());
+    size_t done = 0;
+    std::signal(SIGINT, onInterrupt);
+    Asking asking(config.disambiguator, std::move(questions), config.disambiguation);
+    while (auto outcomes = asking.next()) {
+        for (QuestionOutcome& o : *outcomes) {
+            if (o.decision) decide(map.editMap(), o.instance, *o.decision, config.disambiguation);
+            report.after(map.map(), std::move(o));
+            ++done;
+        }
+        if (!outcomes->empty()) saveMap(map, arguments.output.getValue());
+        progress.update(done);
+        if (interrupted != 0) endInterrupted(done);
+    }
+    std::signal(SIGINT, SIG_DFL);
+    if (arguments.report.isSet())
+        writeAtomically(arguments.report.getValue(),
+                        [&](std::ostream& out) { out << report.asJson(map.map()); });
+    asking.rethrow();
+    return report;
+}
+
+int ask(Arguments& arguments, CVoxelandMap& map)
+{
+    const MapperConfig config(configuration(arguments, map));
+    const bool dry = arguments.dryRun.isSet();
+    if (!dry) config.disambiguator->start();
+    if (!dry && !config.disambiguation.ask_again)
+        if (const size_t n = takeOverDecisions(map, arguments.output.getValue()); n > 0)
+            std::cerr << "going on with the " << n << " decisions in '"
+                      << arguments.output.getValue() << "'\n";
+    auto questions = makeQuestions(arguments, map.map(), config);
+    if (dry) {
+        writeQuestions(questions, config.disambiguation, arguments.dryRun.getValue());
+        sayEstimate(estimate(questions, config.disambiguation));
+        return 0;
+    }
+    saveMap(map, arguments.output.getValue());
+    const DisambiguationReport report = askAll(arguments, map, config, std::move(questions));
+    std::cout << report.asText();
+    for (const ReportedQuestion& q : report.questions())
+        if (q.outcome.failed)
+            throw DisambiguationError("some questions have no answer: " + q.outcome.problem +
+                                          " (run the same command again to ask them)",
+                                      false);
+    return 0;
+}
+
+int run(int argc, char** argv)
+{
+    Arguments arguments;
+    if (!arguments.parse(argc, argv)) return 0;
+    checkArguments(arguments);
+    const auto map = loadMap(arguments.map.getValue());
+    return arguments.undo.isSet() ? undo(arguments, *map) : ask(arguments, *map);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return apps::runProgram("voxeland-disambiguate", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/map/Decision.h"
+#include "voxeland/pipeline/DisambiguationOptions.h"
+#include "voxeland/plugins/CDisambiguator.h"
+
+#include <condition_variable>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace voxeland
+{
+/** What came of a question. */
+struct QuestionOutcome
+{
+    instance_id_t instance = UNKNOWN_INSTANCE;
+    std::optional<Decision> decision;  //!< its evidence is not set yet
+    std::string problem;  //!< why there is none, empty if there is, or if it was not asked
+    bool failed = false;  //!< whether that was a failure of the back-end
+};
+
+/** Asks a back-end until its answer can be used, at most `max_attempts` times.
+ *  \throws what the back-end throws */
+QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQuestion question,
+                               const DisambiguationOptions& options);
+
+/** Asks questions in several threads, and gives the outcomes as they come. */
+class Asking
+{
+ public:
+    /** Starts asking, in the order of the questions. */
+    Asking(std::shared_ptr<const CDisambiguator> backend,
+           std::vector<DisambiguationQuestion> questions, const DisambiguationOptions& options);
+    /** Asks nothing more and waits for what is being asked. */
+    ~Asking();
+    Asking(const Asking&) = delete;
+    Asking& operator=(const Asking&) = delete;
+
+    /** All outcomes since the last call; empty if none comes within a fifth of a second.
+     *  \return none at the end: after all were given, or after a failure that concerns all */
+    std::optional<std::vector<QuestionOutcome>> next();
+    /** Throws what ended the asking early, if anything did. */
+    void rethrow() const;
+
+ private:
+    void work();
+
+    std::shared_ptr<const CDisambiguator> m_backend;
+    std::vector<DisambiguationQuestion> m_questions;
+    DisambiguationOptions m_options;
+    mutable std::mutex m_mutex;  //!< guards all below
+    std::condition_variable m_changed;
+    std::vector<QuestionOutcome> m_outcomes;
+    size_t m_nextQuestion = 0, m_working = 0;
+    bool m_stop = false;
+    std::exception_ptr m_error;
+    std::vector<std::thread> m_workers;
+};
+}  // namespace voxeland

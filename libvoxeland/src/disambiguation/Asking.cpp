@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/disambiguation/Asking.h"
+
+#include "voxeland/disambiguation/AnswerParser.h"
+#include "voxeland/disambiguation/Prompt.h"
+#include "voxeland/disambiguation/Questions.h"
+#include "voxeland/errors.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace voxeland
+{
+QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQuestion question,
+                               const DisambiguationOptions& options)
+{
+    QuestionOutcome outcome;
+    outcome.instance = question.instance;
+    const std::string firstPrompt = question.prompt;
+    Decision decision;
+    decision.source = backend.GetRuntimeClass()->className;
+    for (uint32_t attempt = 1; attempt <= options.max_attempts; ++attempt) {
+        const auto answer = backend.ask(question);
+        if (!answer) {
+            outcome.problem = "there is no answer yet";
+            return outcome;
+        }
+        decision.model = answer->model;
+        decision.answer = answer->text;
+        decision.questions = attempt;
+        decision.seconds += answer->seconds;
+        decision.promptTokens += answer->promptTokens;
+        decision.answerTokens += answer->answerTokens;
+        if (const auto category = categoryNamedBy(answer->text, question.candidates)) {
+            decision.category = *category;
+            decision.time = mrpt::Clock::now();
+            decision.cost = costOf(decision.promptTokens, decision.answerTokens, options);
+            outcome.decision = decision;
+            return outcome;
+        }
+        question.prompt = firstPrompt + askedAgain(question);
+    }
+    outcome.problem = "no answer names exactly one candidate, the last was: " + decision.answer;
+    return outcome;
+}
+
+Asking::Asking(std::shared_ptr<const CDisambiguator> backend,
+               std::vector<DisambiguationQuestion> questions, const DisambiguationOptions& options)
+    : m_backend(std::move(backend)), m_questions(std::move(questions)), m_options(options)
+{
+    const size_t threads = std::min<size_t>(options.parallel, m_questions.size());
+    m_working = threads;
+    for (size_t i = 0; i < threads; ++i) m_workers.emplace_back([this] { work(); });
+}
+
+Asking::~Asking()
+{
+    {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_stop = true;
+    }
+    for (std::thread& worker : m_workers) worker.join();
+}
+
+void Asking::work()
+{
+    for (;;) {
+        size_t number = 0;
+        {
+            const std::lock_guard<std::mutex> lock(m_mutex);
+            if (m_stop || m_nextQuestion == m_questions.size()) {
+                --m_working;
+                m_changed.notify_all();
+                return;
+            }
+            number = m_nextQuestion++;
+        }
+        QuestionOutcome outcome;
+        outcome.instance = m_questions[number].instance;
+        std::exception_ptr fatal;
+        try {
+            outcome = askUntilUsable(*m_backend, m_questions[number], m_options);
+        } catch (const DisambiguationError& e) {
+            outcome.problem = e.what();
+            outcome.failed = true;
+            if (e.fatal) fatal = std::current_exception();
+        } catch (const std::exception& e) {
+            outcome.problem = e.what();
+            outcome.failed = true;
+            fatal = std::current_exception();
+        }
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_outcomes.push_back(std::move(outcome));
+        if (fatal) {
+            m_stop = true;
+            if (!m_error) m_error = fatal;
+        }
+        m_changed.notify_all();
+    }
+}
+
+std::optional<std::vector<QuestionOutcome>> Asking::next()
+{
+    std::unique_lock<std::mutex> lock(m_mutex);
+    m_changed.wait_for(lock, std::chrono::milliseconds(200),
+                       [this] { return !m_outcomes.empty() || m_working == 0; });
+    if (m_outcomes.empty() && m_working == 0) return std::nullopt;
+    return std::exchange(m_outcomes, {});
+}
+
+void Asking::rethrow() const
+{
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if (m_error) std::rethrow_exception(m_error);
+}
+}  // namespace voxeland

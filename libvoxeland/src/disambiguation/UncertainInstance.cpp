@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/disambiguation/UncertainInstance.h"
+
+#include "voxeland/disambiguation/ViewChoice.h"
+
+#include <algorithm>
+
+namespace voxeland
+{
+namespace
+{
+bool isToBeAsked(const InstanceSummary& summary, const Instance& instance,
+                 const DisambiguationOptions& options)
+{
+    return summary.entropy > options.entropy_threshold && summary.voxels >= options.min_voxels &&
+           (options.ask_again || instance.decisions.empty());
+}
+
+/** The likeliest categories that a detector named. */
+std::vector<RankedCategory> candidatesOf(const InstanceSummary& summary, const Instance& instance,
+                                         size_t most)
+{
+    std::vector<RankedCategory> candidates;
+    for (const RankedCategory& c : summary.categories)
+        if (candidates.size() < most && instance.categories.betaOf(c.category) > 0)
+            candidates.push_back(c);
+    return candidates;
+}
+}  // namespace
+
+std::vector<UncertainInstance> uncertainInstances(const SemanticVoxelMap& map,
+                                                  const DisambiguationOptions& options)
+{
+    std::vector<UncertainInstance> uncertain;
+    for (const InstanceSummary& summary : summarizeInstances(map)) {
+        const Instance& instance = map.instance(summary.id);
+        if (!isToBeAsked(summary, instance, options)) continue;
+        UncertainInstance u;
+        u.id = summary.id;
+        u.entropy = summary.entropy;
+        u.candidates = candidatesOf(summary, instance, options.max_categories);
+        for (const RankedCategory& c : u.candidates)
+            for (const InstanceView& view :
+                 chooseViews(instance.views.of(c.category), options.views_per_category,
+                             options.view_selection, options.seed + summary.id))
+                u.views.push_back({c.category, view, {}, {}});
+        if (!u.views.empty()) uncertain.push_back(std::move(u));
+    }
+    std::stable_sort(uncertain.begin(), uncertain.end(),
+                     [](const auto& a, const auto& b) { return a.entropy > b.entropy; });
+    if (options.max_questions > 0 && uncertain.size() > options.max_questions)
+        uncertain.resize(options.max_questions);
+    return uncertain;
+}
+}  // namespace voxeland

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/disambiguation/ViewChoice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+using namespace voxeland;
+
+namespace
+{
+/** From an azimuth [degrees], with a quality. */
+InstanceView view(uint32_t frame, double azimuth, uint32_t quality)
+{
+    InstanceView v;
+    v.frame = frame;
+    v.area = quality * quality;
+    v.score = v.probability = 1;
+    const double a = azimuth * M_PI / 180;
+    v.camera = {static_cast<float>(std::cos(a)), static_cast<float>(std::sin(a)), 0};
+    return v;
+}
+
+/** Good ones at the front, a fair one at the side, a poor one behind. */
+const std::vector<InstanceView> VIEWS = {view(1, 0, 100), view(2, 10, 95), view(3, 90, 60),
+                                         view(4, 180, 10)};
+
+std::vector<uint32_t> chosen(size_t most, ViewSelection how, uint32_t seed = 1)
+{
+    std::vector<uint32_t> frames;
+    for (const auto& v : chooseViews(VIEWS, most, how, seed)) frames.push_back(v.frame);
+    return frames;
+}
+using Frames = std::vector<uint32_t>;
+}  // namespace
+
+TEST(ViewChoice, TheLargest)
+{
+    EXPECT_EQ(chosen(3, ViewSelection::largest), (Frames{1, 2, 3}));
+}
+
+TEST(ViewChoice, SpreadTakesTheFarthestHoweverPoor)
+{
+    EXPECT_EQ(chosen(3, ViewSelection::spread), (Frames{1, 4, 3}));
+}
+
+TEST(ViewChoice, LargestSpreadPrefersGoodViewsFromAnotherSide)
+{
+    // After 1: 2 is worth 95*10, 3 60*90, 4 10*90. Then 2 950, 4 900.
+    EXPECT_EQ(chosen(2, ViewSelection::largestSpread), (Frames{1, 3}));
+    EXPECT_EQ(chosen(3, ViewSelection::largestSpread), (Frames{1, 3, 2}));
+}
+
+TEST(ViewChoice, RandomDependsOnTheSeedAlone)
+{
+    std::set<Frames> seen;
+    for (uint32_t seed = 0; seed < 50; ++seed) {
+        const Frames frames = chosen(2, ViewSelection::random, seed);
+        EXPECT_EQ(frames, chosen(2, ViewSelection::random, seed));
+        EXPECT_EQ(std::set<uint32_t>(frames.begin(), frames.end()).size(), 2U);
+        seen.insert(frames);
+    }
+    EXPECT_GT(seen.size(), 6U) << "of twelve";
+}
+
+TEST(ViewChoice, FewerIfThereAreNotAsMany)
+{
+    for (const auto how : {ViewSelection::largest, ViewSelection::spread,
+                           ViewSelection::largestSpread, ViewSelection::random})
+    {
+        EXPECT_EQ(chosen(9, how).size(), 4U);
+        EXPECT_TRUE(chooseViews({}, 3, how, 1).empty());
+    }
+}
