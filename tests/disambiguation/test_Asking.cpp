@@ -47,6 +47,13 @@ class CScripted : public CDisambiguator
         return answer;
     }
 
+    /** Number of instances asked about so far. */
+    [[nodiscard]] size_t asked() const
+    {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        return prompts.size();
+    }
+
  private:
     mutable std::mutex m_mutex;
 };
@@ -113,6 +120,20 @@ TEST(Asking, GivesUpAfterMaxAttemptsAndWaitsForNoOne)
     EXPECT_EQ(backend->prompts[1].size(), 3U);
     EXPECT_FALSE(askUntilUsable(*backend, question(2), options).decision);
     EXPECT_EQ(backend->prompts[2].size(), 1U);
+}
+
+TEST(Asking, TheNextQuestionWaitsUntilTheAnswerIsKept)
+{
+    DisambiguationOptions options;
+    options.parallel = 1;
+    const auto backend = scripted({{1, {"chair"}}, {2, {"couch"}}});
+    Asking asking(backend, {question(1), question(2)}, options);
+    auto outcomes = asking.next();
+    while (outcomes->empty()) outcomes = asking.next();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(backend->asked(), 1U) << "the caller may still be writing";
+    EXPECT_EQ(askAll(asking).size(), 1U);
+    EXPECT_EQ(backend->asked(), 2U);
 }
 
 TEST(Asking, OutcomesDoNotDependOnTheNumberOfThreads)

@@ -59,6 +59,7 @@ Asking::~Asking()
         const std::lock_guard<std::mutex> lock(m_mutex);
         m_stop = true;
     }
+    m_changed.notify_all();
     for (std::thread& worker : m_workers) worker.join();
 }
 
@@ -89,22 +90,27 @@ void Asking::work()
             outcome.failed = true;
             fatal = std::current_exception();
         }
-        const std::lock_guard<std::mutex> lock(m_mutex);
+        std::unique_lock<std::mutex> lock(m_mutex);
         m_outcomes.push_back(std::move(outcome));
+        const size_t mine = ++m_given;
         if (fatal) {
             m_stop = true;
             if (!m_error) m_error = fatal;
         }
         m_changed.notify_all();
+        m_changed.wait(lock, [&] { return m_kept >= mine || m_stop; });
     }
 }
 
 std::optional<std::vector<QuestionOutcome>> Asking::next()
 {
     std::unique_lock<std::mutex> lock(m_mutex);
+    m_kept = m_taken;
+    m_changed.notify_all();
     m_changed.wait_for(lock, std::chrono::milliseconds(200),
                        [this] { return !m_outcomes.empty() || m_working == 0; });
     if (m_outcomes.empty() && m_working == 0) return std::nullopt;
+    m_taken += m_outcomes.size();
     return std::exchange(m_outcomes, {});
 }
 

@@ -41,7 +41,9 @@ class Asking
     Asking(const Asking&) = delete;
     Asking& operator=(const Asking&) = delete;
 
-    /** All outcomes since the last call; empty if none comes within a fifth of a second.
+    /** All outcomes since the last call; empty if none comes within a fifth of a second. Those of
+     * the last call count as kept: only now their threads ask the next questions, so that a run
+     * that is killed loses no more than what is being asked.
      *  \return none at the end: after all were given, or after a failure that concerns all */
     std::optional<std::vector<QuestionOutcome>> next();
     /** Throws what ended the asking early, if anything did. */
@@ -57,6 +59,8 @@ class Asking
     std::condition_variable m_changed;
     std::vector<QuestionOutcome> m_outcomes;
     size_t m_nextQuestion = 0, m_working = 0;
+    size_t m_given = 0;              //!< outcomes that came so far
+    size_t m_taken = 0, m_kept = 0;  //!< of these: returned by next(); and returned before that
     bool m_stop = false;
     std::exception_ptr m_error;
     std::vector<std::thread> m_workers;
