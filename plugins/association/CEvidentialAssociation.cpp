@@ -3,9 +3,32 @@
 
 #include <mrpt/core/initializer.h>
 
+#include <algorithm>
+
 namespace voxeland
 {
 IMPLEMENTS_MRPT_OBJECT(CEvidentialAssociation, voxeland::CAssociationPolicy, voxeland)
+
+namespace
+{
+/** An opinion that could be about an instance. */
+struct Match
+{
+    size_t opinion;
+    instance_id_t instance;
+    double quality;
+};
+
+/** Whether an opinion that lies apart was found to be about that instance. */
+bool isTaken(const Match& match, const std::vector<OpinionOverlaps>& opinions,
+             const std::vector<Assignment>& assignments)
+{
+    for (size_t i = 0; i < opinions.size(); ++i)
+        if (assignments[i].instance == match.instance && lieApart(opinions, match.opinion, i))
+            return true;
+    return false;
+}
+}  // namespace
 
 std::string CEvidentialAssociation::description() const
 {
@@ -23,6 +46,8 @@ void CEvidentialAssociation::declareOptions(OptionList& options)
     options.add("tau_piece", m_tauPiece, {0, 1}, "Least IoM of a piece of an instance");
     options.add("piece_similarity", m_pieceSimilarity, {0, 1},
                 "Least semantic similarity of a piece");
+    options.add("exclusive", m_exclusive,
+                "Detections of one frame that lie apart are never about the same instance");
     options.add("use_similarity", m_useSimilarity,
                 "Let semantic similarity relax the thresholds; otherwise it counts as 0.5");
 }
@@ -32,7 +57,7 @@ double CEvidentialAssociation::similarity(double measured) const
     return m_useSimilarity ? measured : 0.5;
 }
 
-bool CEvidentialAssociation::matches(const Overlap& o) const
+bool CEvidentialAssociation::isMatch(const Overlap& o) const
 {
     if (o.iou() >= m_tauIoU) return true;
     if (!m_useIoV) return false;
@@ -51,18 +76,20 @@ double CEvidentialAssociation::quality(const Overlap& o) const
 std::vector<Assignment> CEvidentialAssociation::associate(
     const std::vector<OpinionOverlaps>& opinions, const SemanticVoxelMap&) const
 {
-    std::vector<Assignment> assignments;
-    for (const OpinionOverlaps& o : opinions) {
-        Assignment best;
-        best.newInstance = static_cast<uint32_t>(assignments.size());
-        double bestQuality = -1;
-        for (const Overlap& candidate : o.candidates) {
-            if (!matches(candidate) || quality(candidate) <= bestQuality) continue;
-            best.instance = candidate.instance;
-            bestQuality = quality(candidate);
-        }
-        assignments.push_back(best);
-    }
+    std::vector<Match> matches;
+    for (size_t i = 0; i < opinions.size(); ++i)
+        for (const Overlap& o : opinions[i].candidates)
+            if (isMatch(o)) matches.push_back({i, o.instance, quality(o)});
+    std::stable_sort(matches.begin(), matches.end(),
+                     [](const Match& a, const Match& b) { return a.quality > b.quality; });
+
+    std::vector<Assignment> assignments(opinions.size());
+    for (size_t i = 0; i < opinions.size(); ++i)
+        assignments[i].newInstance = static_cast<uint32_t>(i);
+    for (const Match& m : matches)
+        if (assignments[m.opinion].instance == UNKNOWN_INSTANCE &&
+            !(m_exclusive && isTaken(m, opinions, assignments)))
+            assignments[m.opinion].instance = m.instance;
     return assignments;
 }
 

@@ -11,7 +11,10 @@ namespace voxeland
  * reach a threshold that goes linearly from tau_iov_strict (S_sem = 0) to tau_iov_relaxed (S_sem =
  * 1), or
  *   - it is a piece of the instance: IoM reaches tau_piece and S_sem piece_similarity.
- *  Among several instances the one with the greatest product of IoV, IoM and similarity gets it. */
+ *  Among several instances the one with the greatest product of IoV, IoM and similarity gets it. Of
+ *  the opinions of a frame that lie apart, only the best one gets an instance: detectors seldom see
+ *  an object in pieces, but a mask that once covered two objects would tie them together forever.
+ */
 class CEvidentialAssociation : public CAssociationPolicy
 {
     DEFINE_MRPT_OBJECT(CEvidentialAssociation, voxeland)
@@ -27,12 +30,13 @@ class CEvidentialAssociation : public CAssociationPolicy
  private:
     /** Semantic similarity, or what stands for it where it is switched off. */
     [[nodiscard]] double similarity(double measured) const;
-    [[nodiscard]] bool matches(const Overlap& overlap) const;
+    /** Whether the instance may get the opinion. */
+    [[nodiscard]] bool isMatch(const Overlap& overlap) const;
     /** Orders the instances an opinion matches. */
     [[nodiscard]] double quality(const Overlap& overlap) const;
 
     double m_tauIoU = 0.5, m_tauIoVStrict = 0.6, m_tauIoVRelaxed = 0.25;
-    double m_tauPiece = 0.7, m_pieceSimilarity = 0.5;
-    bool m_useIoV = true, m_useSimilarity = true;
+    double m_tauPiece = 0.8, m_pieceSimilarity = 0.3;
+    bool m_useIoV = true, m_exclusive = true, m_useSimilarity = true;
 };
 }  // namespace voxeland

@@ -118,3 +118,16 @@ TEST(OverlapFinder, NewCategoriesGetNumbersAndAnEmptyMapHasNoCandidates)
     EXPECT_EQ(map.categories().names(), (std::vector<std::string>{"chair", "table"}));
     EXPECT_FLOAT_EQ(static_cast<float>(found[1].categories.betaOf(1)), 1);
 }
+
+TEST(OverlapFinder, CountsTheVoxelsThatOpinionsShare)
+{
+    const PreparedFrame frame = steppedWall();  // every second voxel, and every third
+    SemanticVoxelMap map = handMadeMap();
+    OverlapFinder finder;
+    const auto opinions = finder.find(frame, map);
+    const auto hits = static_cast<uint32_t>(frame.voxels.hits().size());
+    const uint32_t every6th = (hits + 5) / 6;
+    EXPECT_EQ(opinions[0].shared, (std::vector<uint32_t>{0, every6th}));
+    EXPECT_EQ(opinions[1].shared, (std::vector<uint32_t>{every6th, 0}));
+    EXPECT_FALSE(lieApart(opinions, 0, 1)) << "they share a third of the smaller one";
+}

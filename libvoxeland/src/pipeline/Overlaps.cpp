@@ -3,6 +3,8 @@
 
 #include "voxeland/map/SemanticVoxelMap.h"
 
+#include <limits>
+
 namespace voxeland
 {
 namespace
@@ -13,6 +15,28 @@ CategoryEvidence numbered(const CategoryDistribution& distribution, CategoryTabl
     for (const auto& c : distribution)
         evidence.add(table.add(c.name), static_cast<double>(c.probability));
     return evidence;
+}
+/** Fills OpinionOverlaps::shared. Cost: the opinions' voxels, and those they share. */
+void countShared(std::vector<OpinionOverlaps>& opinions, size_t hits)
+{
+    struct Claim
+    {
+        size_t opinion;
+        size_t earlier;  // number of the previous claim of the same voxel
+    };
+    constexpr size_t NONE = std::numeric_limits<size_t>::max();
+    std::vector<Claim> claims;
+    std::vector<size_t> latest(hits, NONE);
+    for (OpinionOverlaps& o : opinions) o.shared.assign(opinions.size(), 0);
+    for (size_t i = 0; i < opinions.size(); ++i)
+        for (const OpinionVoxel& v : opinions[i].opinion->voxels) {
+            for (size_t c = latest[v.hit]; c != NONE; c = claims[c].earlier) {
+                ++opinions[i].shared[claims[c].opinion];
+                ++opinions[claims[c].opinion].shared[i];
+            }
+            claims.push_back({i, latest[v.hit]});
+            latest[v.hit] = claims.size() - 1;
+        }
 }
 }  // namespace
 
@@ -60,6 +84,7 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
         }
         result.push_back(std::move(overlaps));
     }
+    countShared(result, frame.voxels.hits().size());
     return result;
 }
 }  // namespace voxeland

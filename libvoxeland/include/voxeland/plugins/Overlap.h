@@ -50,7 +50,17 @@ struct OpinionOverlaps
     const Opinion* opinion = nullptr;
     CategoryEvidence categories;  //!< the opinion's distribution, in the map's category numbers
     std::vector<Overlap> candidates;
+    std::vector<uint32_t> shared;  //!< voxels that it has in common with each opinion of the frame
 };
+
+/** Whether two opinions of a frame, by their numbers, lie apart: an object is rarely detected in
+ * pieces, so they are most likely about two objects. */
+inline bool lieApart(const std::vector<OpinionOverlaps>& opinions, size_t a, size_t b)
+{
+    const size_t smaller =
+        std::min(opinions[a].opinion->voxels.size(), opinions[b].opinion->voxels.size());
+    return 10 * static_cast<size_t>(opinions[a].shared[b]) < smaller;
+}
 
 /** Overlap of two map instances, in numbers of distinct voxels. */
 struct InstanceOverlap
