@@ -8,6 +8,7 @@
 #include "voxeland/disambiguation/DisambiguationReport.h"
 #include "voxeland/disambiguation/DryRun.h"
 #include "voxeland/disambiguation/Questions.h"
+#include "voxeland/disambiguation/ViewChoice.h"
 #include "voxeland/disambiguation/ViewPictures.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
@@ -142,10 +143,10 @@ std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const Se
                   << " views; was the map made from several?\n";
     const auto up = estimateUp(map);
     std::vector<DisambiguationQuestion> questions;
-    for (const UncertainInstance& u : uncertain) {
-        const bool shown = std::any_of(u.views.begin(), u.views.end(),
-                                       [](const ChosenView& v) { return !v.picture.empty(); });
-        if (shown) questions.push_back(questionAbout(u, map, up, prompt, config.disambiguation));
+    for (UncertainInstance& u : uncertain) {
+        keepChosenViews(u, config.disambiguation);
+        if (!u.views.empty())
+            questions.push_back(questionAbout(u, map, up, prompt, config.disambiguation));
     }
     return questions;
 }

@@ -12,7 +12,7 @@ namespace
 {
 constexpr auto JPEG = "image/jpeg", PNG = "image/png";
 
-std::string caption(const ChosenView& v, const SemanticVoxelMap& map)
+std::string caption(const CandidateView& v, const SemanticVoxelMap& map)
 {
     const auto ray = v.view.target - v.view.camera;
     return mrpt::format(
@@ -30,9 +30,9 @@ DisambiguationQuestion questionAbout(const UncertainInstance& instance, const Se
     DisambiguationQuestion question;
     question.instance = instance.id;
     question.candidates = instance.candidates;
-    for (const ChosenView& v : instance.views)
+    for (const CandidateView& v : instance.views)
         if (!v.picture.empty()) question.pictures.push_back({caption(v, map), JPEG, v.picture});
-    for (const ChosenView& v : instance.views)
+    for (const CandidateView& v : instance.views)
         if (!v.wholeFrame.empty())
             question.pictures.push_back(
                 {"Photograph of what surrounds the object", JPEG, v.wholeFrame});

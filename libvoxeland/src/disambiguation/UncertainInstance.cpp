@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/UncertainInstance.h"
 
-#include "voxeland/disambiguation/ViewChoice.h"
-
 #include <algorithm>
 
 namespace voxeland
@@ -40,10 +38,8 @@ std::vector<UncertainInstance> uncertainInstances(const SemanticVoxelMap& map,
         u.entropy = summary.entropy;
         u.candidates = candidatesOf(summary, instance, options.max_categories);
         for (const RankedCategory& c : u.candidates)
-            for (const InstanceView& view :
-                 chooseViews(instance.views.of(c.category), options.views_per_category,
-                             options.view_selection, options.seed + summary.id))
-                u.views.push_back({c.category, view, {}, {}});
+            for (const InstanceView& view : instance.views.of(c.category))
+                u.views.push_back({c.category, view, {}, {}, 0});
         if (!u.views.empty()) uncertain.push_back(std::move(u));
     }
     std::stable_sort(uncertain.begin(), uncertain.end(),

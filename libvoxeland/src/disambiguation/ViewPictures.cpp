@@ -106,9 +106,9 @@ cv::Mat colourImage(const RgbdFrame& frame, const std::string& rawlog)
     throw InputError("'" + rawlog + "' is not the rawlog the map was made from: " + why);
 }
 
-/** Makes the pictures of one view. \param withFrame also that of the whole frame */
-void picture(ChosenView& chosen, const cv::Mat& image, const InstancePrediction* prediction,
-             bool withFrame, const DisambiguationOptions& options)
+/** Makes the pictures of one view. */
+void picture(CandidateView& chosen, const cv::Mat& image, const InstancePrediction* prediction,
+             const DisambiguationOptions& options)
 {
     const cv::Rect box = toCv(chosen.view.box), whole(0, 0, image.cols, image.rows);
     const Contours outline = outlineOf(chosen.view, prediction);
@@ -118,26 +118,35 @@ void picture(ChosenView& chosen, const cv::Mat& image, const InstancePrediction*
         cv::Rect(box.tl() - cv::Point(margin, margin), box.br() + cv::Point(margin, margin)) &
         whole;
     chosen.picture = asJpeg(pictured(image, part, scaleFor(part, options.picture_size), outline));
-    if (withFrame)
+    chosen.sharpness = sharpnessOf(image(box));
+    if (options.whole_frame)
         chosen.wholeFrame = asJpeg(
             pictured(image, whole, std::min(1.0, scaleFor(whole, options.picture_size)), outline));
 }
 }  // namespace
 
+float sharpnessOf(const cv::Mat& image)
+{
+    constexpr double SIDE = 128;  // sharpness is compared at one size, whatever the distance was
+    const double scale = SIDE / std::max(image.cols, image.rows);
+    cv::Mat grey, laplacian;
+    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+    cv::resize(grey, grey, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    cv::Laplacian(grey, laplacian, CV_64F);
+    cv::Scalar mean, ofGrey, ofLaplacian;
+    cv::meanStdDev(grey, mean, ofGrey);
+    cv::meanStdDev(laplacian, mean, ofLaplacian);
+    return ofGrey[0] > 0 ? static_cast<float>(std::pow(ofLaplacian[0] / ofGrey[0], 2)) : 0;
+}
+
 size_t fetchPictures(std::vector<UncertainInstance>& instances, const std::string& rawlog,
                      const MapperConfig& config, const std::function<void(double)>& progress)
 {
-    struct Wish
-    {
-        ChosenView* view;
-        bool withFrame;
-    };
-    std::multimap<mrpt::Clock::time_point, Wish> wishes;
+    std::multimap<mrpt::Clock::time_point, CandidateView*> wishes;
     FrameFinder::Times times;
     for (UncertainInstance& u : instances)
-        for (ChosenView& v : u.views) {
-            const bool first = &v == &u.views.front();
-            wishes.emplace(v.view.time, Wish{&v, first && config.disambiguation.whole_frame});
+        for (CandidateView& v : u.views) {
+            wishes.emplace(v.view.time, &v);
             times.insert(v.view.time);
         }
     if (wishes.empty()) return 0;
@@ -152,12 +161,11 @@ size_t fetchPictures(std::vector<UncertainInstance>& instances, const std::strin
         const cv::Mat image = colourImage(*frame, rawlog);
         const auto [first, last] = wishes.equal_range(frame->scan->timestamp);
         for (auto wish = first; wish != last; ++wish) {
-            const cv::Rect box = toCv(wish->second.view->view.box);
+            const cv::Rect box = toCv(wish->second->view.box);
             if (box.empty() || (box & cv::Rect(0, 0, image.cols, image.rows)) != box)
                 sayOther(rawlog, "its images have another size");
-            const auto* prediction = predictionOf(wish->second.view->view, frame->instances.get());
-            picture(*wish->second.view, image, prediction, wish->second.withFrame,
-                    config.disambiguation);
+            const auto* prediction = predictionOf(wish->second->view, frame->instances.get());
+            picture(*wish->second, image, prediction, config.disambiguation);
             different += prediction == nullptr ? 1 : 0;
             ++found;
         }

@@ -8,13 +8,14 @@
 
 namespace voxeland
 {
-/** A view to be shown in a question. */
-struct ChosenView
+/** A view that a question may show. */
+struct CandidateView
 {
     category_id_t category = 0;  //!< what a detector took it for
     InstanceView view;
     std::string picture;     //!< the object, as JPEG; empty until it was fetched
     std::string wholeFrame;  //!< where it is, as JPEG; empty unless wanted
+    float sharpness = 0;     //!< of the picture, see sharpnessOf(); 0 until it was fetched
 };
 
 /** An instance to ask about. */
@@ -23,11 +24,12 @@ struct UncertainInstance
     instance_id_t id = UNKNOWN_INSTANCE;
     double entropy = 0;                      //!< [nat]
     std::vector<RankedCategory> candidates;  //!< the likeliest first
-    std::vector<ChosenView> views;           //!< in the order of the candidates
+    std::vector<CandidateView> views;        //!< in the order of the candidates
 };
 
 /** Chooses the instances to ask about, the most uncertain first, with candidates (the likeliest
- * categories that have evidence) and views. Instances that no image shows are left out. */
+ * categories that have evidence) and all views the map remembers of them. Instances that no image
+ * shows are left out. */
 std::vector<UncertainInstance> uncertainInstances(const SemanticVoxelMap& map,
                                                   const DisambiguationOptions& options);
 }  // namespace voxeland
