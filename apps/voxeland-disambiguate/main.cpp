@@ -121,7 +121,7 @@ int undo(Arguments& arguments, CVoxelandMap& map)
     }
     const size_t undone = undoDecisions(map.editMap(), instance);
     saveMap(map, arguments.output.getValue());
-    std::cout << "took " << undone << " decisions back\n";
+    std::cout << "decisions taken back: " << undone << "\n";
     return 0;
 }
 
