@@ -33,9 +33,10 @@ class VoxelandReport : public testing::Test
 };
 
 constexpr const char* TIMES =
-    "frame,decode_ms,voxelize_ms,opinions_ms,rays_ms,association_ms,integration_ms,refinement_ms\n"
-    "0,1,2,3,4,5,6,0\n"
-    "1,1,2,3,8,5,6,7\n";
+    "frame,detection_ms,decode_ms,voxelize_ms,opinions_ms,rays_ms,association_ms,integration_ms,"
+    "refinement_ms\n"
+    "0,0,1,2,3,4,5,6,0\n"
+    "1,0,1,2,3,8,5,6,7\n";
 
 /** A wall of 40 x 40 points of a chair, where the map has its chair. */
 void writeTruth(const std::string& folder)
