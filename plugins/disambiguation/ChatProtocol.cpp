@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChatProtocol.h"
 
+#include <mrpt/system/string_utils.h>
+
 #include <algorithm>
 
 namespace voxeland
@@ -9,20 +11,14 @@ using nlohmann::json;
 
 namespace
 {
+/** Without the line breaks that MRPT puts in: a URL has none. */
 std::string base64(const std::string& bytes)
 {
-    static constexpr char DIGITS[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const auto byte = [&bytes](size_t i) {
-        return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
-    };
     std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (size_t i = 0; i < bytes.size(); i += 3) {
-        const unsigned three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-        for (const unsigned shift : {18U, 12U, 6U, 0U}) text += DIGITS[three >> shift & 63U];
-    }
-    for (size_t i = bytes.size(); i % 3 != 0; ++i) text[text.size() - (3 - i % 3)] = '=';
+    mrpt::system::encodeBase64({bytes.begin(), bytes.end()}, text);
+    text.erase(
+        std::remove_if(text.begin(), text.end(), [](char c) { return c == '\r' || c == '\n'; }),
+        text.end());
     return text;
 }
 

@@ -76,11 +76,6 @@ std::string form(const DisambiguationQuestion& question)
            categories + "unknown\n# Lines that start with # do not count.\n";
 }
 
-void write(const fs::path& file, const std::string& content)
-{
-    writeAtomically(file.string(), [&](std::ostream& out) { out << content; });
-}
-
 /** What a person wrote: all but the lines that start with #, without space around. */
 std::string readPersonsAnswer(const fs::path& file)
 {
@@ -130,16 +125,17 @@ std::optional<DisambiguationAnswer> QuestionFolder::answer() const
 void QuestionFolder::writeQuestion(const DisambiguationQuestion& question) const
 {
     makeOutputFolder(m_path.string());
-    write(m_path / "prompt.txt", question.prompt);
+    writeAtomically((m_path / "prompt.txt").string(), question.prompt);
     for (size_t i = 0; i < question.pictures.size(); ++i)
-        write(m_path / pictureName(i, question.pictures[i]), question.pictures[i].bytes);
-    write(m_path / "question.json", questionJson(question) + "\n");
+        writeAtomically((m_path / pictureName(i, question.pictures[i])).string(),
+                        question.pictures[i].bytes);
+    writeAtomically((m_path / "question.json").string(), questionJson(question) + "\n");
 }
 
 void QuestionFolder::writeForm(const DisambiguationQuestion& question) const
 {
     const fs::path file = m_path / PERSONS_ANSWER;
-    if (!fs::exists(file)) write(file, form(question));
+    if (!fs::exists(file)) writeAtomically(file.string(), form(question));
 }
 
 void QuestionFolder::writeAnswer(const DisambiguationAnswer& answer) const
@@ -149,6 +145,6 @@ void QuestionFolder::writeAnswer(const DisambiguationAnswer& answer) const
                            {"prompt_tokens", answer.promptTokens},
                            {"answer_tokens", answer.answerTokens},
                            {"seconds", answer.seconds}};
-    write(m_path / RECORDED_ANSWER, recorded.dump(2) + "\n");
+    writeAtomically((m_path / RECORDED_ANSWER).string(), recorded.dump(2) + "\n");
 }
 }  // namespace voxeland

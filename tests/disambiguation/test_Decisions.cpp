@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UncertainMap.h"
+#include "support/MapBytes.h"
 #include "voxeland/disambiguation/Decisions.h"
 #include "voxeland/map/MapQueries.h"
 
 #include <gtest/gtest.h>
-#include <mrpt/io/CMemoryStream.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include <random>
 
 using namespace voxeland;
+using test::bytesOf;
 
 namespace
 {
-std::string bytesOf(const SemanticVoxelMap& map)
-{
-    mrpt::io::CMemoryStream stream;
-    auto archive = mrpt::serialization::archiveFrom(stream);
-    map.writeTo(archive);
-    return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
-}
-
 Decision decisionFor(category_id_t category)
 {
     Decision d;

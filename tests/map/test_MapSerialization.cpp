@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapBuilding.h"
+#include "support/MapBytes.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
@@ -9,17 +10,10 @@
 #include <string>
 
 using namespace voxeland;
+using test::bytesOf;
 
 namespace
 {
-std::string bytesOf(const SemanticVoxelMap& map)
-{
-    mrpt::io::CMemoryStream stream;
-    auto archive = mrpt::serialization::archiveFrom(stream);
-    map.writeTo(archive);
-    return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
-}
-
 SemanticVoxelMap mapFrom(const std::string& bytes)
 {
     mrpt::io::CMemoryStream stream;
@@ -31,7 +25,7 @@ SemanticVoxelMap mapFrom(const std::string& bytes)
     return map;
 }
 
-/** A map with a history: merges, splits, drops, more than four instances in a voxel. */
+/** A map with a history: merges, splits, a dismissal, more than four instances in a voxel. */
 SemanticVoxelMap eventfulMap()
 {
     MapOptions options;

@@ -3,9 +3,6 @@
 #include "voxeland/map/SemanticVoxelMap.h"
 #include "voxeland/pipeline/MapperConfig.h"
 
-#include <mrpt/io/CMemoryStream.h>
-#include <mrpt/serialization/CArchive.h>
-
 #include <memory>
 #include <string>
 
@@ -54,14 +51,6 @@ inline double evidenceOf(const SemanticVoxelMap& map, instance_id_t id)
         },
         false);
     return sum;
-}
-
-inline std::string bytesOf(const SemanticVoxelMap& map)
-{
-    mrpt::io::CMemoryStream stream;
-    auto archive = mrpt::serialization::archiveFrom(stream);
-    map.writeTo(archive);
-    return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
 }
 
 /** The paper's association, which lets overlap and categories decide about merging. */

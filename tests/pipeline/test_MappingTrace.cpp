@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HandMadeMap.h"
+#include "support/MapBytes.h"
 #include "support/SmallRawlog.h"
 #include "voxeland/pipeline/MappingTrace.h"
 #include "voxeland/pipeline/Refinement.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Division and merging of instances on maps made by hand. */
 #include "HandMadeMap.h"
+#include "support/MapBytes.h"
 #include "voxeland/pipeline/Refinement.h"
 
 #include <gtest/gtest.h>

@@ -14,11 +14,6 @@ namespace
 {
 using json_t = nlohmann::ordered_json;
 
-void writeText(const std::string& file, const std::string& text)
-{
-    writeAtomically(file, [&](std::ostream& out) { out << text; });
-}
-
 std::string pictureName(size_t number, const DisambiguationPicture& picture)
 {
     const char* extension = picture.mediaType == "image/png" ? "png" : "jpg";
@@ -30,7 +25,7 @@ json_t write(const DisambiguationQuestion& question, const std::string& folder)
 {
     const std::string name = "instance-" + std::to_string(question.instance);
     makeOutputFolder(folder + "/" + name);
-    writeText(folder + "/" + name + "/prompt.txt", question.prompt);
+    writeAtomically(folder + "/" + name + "/prompt.txt", question.prompt);
     json_t json = {{"instance", question.instance}, {"folder", name}};
     json["candidates"] = json_t::object();
     for (const RankedCategory& c : question.candidates) json["candidates"][c.name] = c.probability;
@@ -38,7 +33,7 @@ json_t write(const DisambiguationQuestion& question, const std::string& folder)
     for (size_t i = 0; i < question.pictures.size(); ++i) {
         const DisambiguationPicture& picture = question.pictures[i];
         const std::string file = pictureName(i + 1, picture);
-        writeText(folder + "/" + name + "/" + file, picture.bytes);
+        writeAtomically(folder + "/" + name + "/" + file, picture.bytes);
         json["pictures"].push_back({{"file", file}, {"caption", picture.caption}});
     }
     json["tokens"] = estimatedTokens(question);
@@ -67,7 +62,7 @@ void writeQuestions(const std::vector<DisambiguationQuestion>& questions,
     json_t json = {
         {"questions", json_t::array()}, {"estimated_tokens", e.tokens}, {"estimated_cost", e.cost}};
     for (const DisambiguationQuestion& q : questions) json["questions"].push_back(write(q, folder));
-    writeText(folder + "/questions.json",
-              json.dump(2, ' ', false, json_t::error_handler_t::replace) + "\n");
+    writeAtomically(folder + "/questions.json",
+                    json.dump(2, ' ', false, json_t::error_handler_t::replace) + "\n");
 }
 }  // namespace voxeland

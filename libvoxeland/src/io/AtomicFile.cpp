@@ -83,4 +83,9 @@ void writeAtomically(const std::string& file, const std::function<void(std::ostr
     }
     target.commit();
 }
+
+void writeAtomically(const std::string& file, const std::string& content)
+{
+    writeAtomically(file, [&](std::ostream& out) { out << content; });
+}
 }  // namespace voxeland

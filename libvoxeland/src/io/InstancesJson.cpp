@@ -79,6 +79,6 @@ std::string instancesAsJson(const SemanticVoxelMap& map, const LevelFrame& frame
 
 void exportJson(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file)
 {
-    writeAtomically(file, [&](std::ostream& out) { out << instancesAsJson(map, frame); });
+    writeAtomically(file, instancesAsJson(map, frame));
 }
 }  // namespace voxeland

@@ -2,6 +2,7 @@
 #include "voxeland/pipeline/MapperConfig.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/joined.h"
 #include "voxeland/pipeline/PoseSource.h"
 #include "voxeland/plugins/PluginLoader.h"
 
@@ -138,9 +139,7 @@ struct Problems
         std::vector<std::string> all = plugins;
         all.insert(all.end(), settings.begin(), settings.end());
         if (all.empty()) return;
-        std::string message = "configuration of '" + origin + "': ";
-        for (const std::string& problem : all)
-            message += (&problem == &all.front() ? "" : "; ") + problem;
+        const std::string message = "configuration of '" + origin + "': " + joined(all, "; ");
         if (!plugins.empty()) throw PluginError(message);
         throw ConfigurationError(message);
     }

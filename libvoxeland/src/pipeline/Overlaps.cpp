@@ -16,6 +16,7 @@ CategoryEvidence numbered(const CategoryDistribution& distribution, CategoryTabl
         evidence.add(table.add(c.name), static_cast<double>(c.probability));
     return evidence;
 }
+
 /** Fills OpinionOverlaps::shared. Cost: the opinions' voxels, and those they share. */
 void countShared(std::vector<OpinionOverlaps>& opinions, size_t hits)
 {

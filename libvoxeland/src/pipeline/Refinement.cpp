@@ -145,6 +145,7 @@ MergeDecision decide(const SemanticVoxelMap& map, const InstanceOverlap& overlap
     if (options.continuity && !areConnected(map, overlap, options)) return MergeDecision::apart;
     return MergeDecision::merged;
 }
+
 /** Shows as *unknown* what has too little evidence and was not seen again. Never forgets it. */
 void dismissDoubtful(SemanticVoxelMap& map, const RefinementOptions& options, uint32_t frame)
 {

@@ -20,11 +20,6 @@ void appendBytes(std::string& out, T value)
     out.append(bytes, sizeof(T));
 }
 
-void writeText(const std::string& file, const std::string& content)
-{
-    writeAtomically(file, [&](std::ostream& out) { out << content; });
-}
-
 int indexOf(const std::vector<std::string>& names, const std::string& name)
 {
     return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
@@ -85,15 +80,16 @@ void GroundTruth::save(const std::string& folder) const
         appendBytes(body, static_cast<int32_t>(point.object));
         appendBytes(body, static_cast<int32_t>(categories[point.object]));
     }
-    writeText(folder + "/ground_truth.ply",
-              "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(total) +
-                  "\nproperty float x\nproperty float y\nproperty float z\n"
-                  "property int instance\nproperty int category\nend_header\n" +
-                  body);
+    writeAtomically(folder + "/ground_truth.ply",
+                    "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                        std::to_string(total) +
+                        "\nproperty float x\nproperty float y\nproperty float z\n"
+                        "property int instance\nproperty int category\nend_header\n" +
+                        body);
 
     std::string csv = "index,name\n";
     for (size_t i = 0; i < names.size(); ++i) csv += std::to_string(i) + "," + names[i] + "\n";
-    writeText(folder + "/categories.csv", csv);
+    writeAtomically(folder + "/categories.csv", csv);
 
     csv = "id,category,x,y,z,size_x,size_y,size_z,points\n";
     for (const auto& object : m_scene.objects()) {
@@ -102,6 +98,6 @@ void GroundTruth::save(const std::string& folder) const
         for (const float value : {c.x, c.y, c.z, s.x, s.y, s.z}) csv += "," + std::to_string(value);
         csv += "," + std::to_string(counts[object.id]) + "\n";
     }
-    writeText(folder + "/objects.csv", csv);
+    writeAtomically(folder + "/objects.csv", csv);
 }
 }  // namespace voxeland::simulation

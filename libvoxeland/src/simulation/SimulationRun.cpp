@@ -87,8 +87,7 @@ SimulationSummary runSimulation(const SimulationOptions& options, const Simulati
     }
     if (groundTruth) {
         groundTruth->save(output.groundTruthFolder);
-        writeAtomically(output.groundTruthFolder + "/trajectory.tum",
-                        [&](std::ostream& out) { out << trajectory; });
+        writeAtomically(output.groundTruthFolder + "/trajectory.tum", trajectory);
         const auto& points = groundTruth->points();
         summary.groundTruthPoints = static_cast<size_t>(
             std::count_if(points.begin(), points.end(), [](const auto& p) { return p.seen; }));

@@ -37,4 +37,6 @@ class AtomicFile
  *  \param write puts the content into the stream; binary, and may throw
  *  \throws OutputError, naming the file, if not all of it could be written */
 void writeAtomically(const std::string& file, const std::function<void(std::ostream&)>& write);
+/** The same of a content at hand, text or bytes. */
+void writeAtomically(const std::string& file, const std::string& content);
 }  // namespace voxeland
