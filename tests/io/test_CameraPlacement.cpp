@@ -59,7 +59,8 @@ Hall levelHall()
 
 std::vector<CameraPose> posesIn(const Hall& hall)
 {
-    return placeCamera(hall.map, LevelFrame(), CarriedCamera(), hall.voxels);
+    return placeCamera(hall.map, LevelFrame(), CarriedCamera(), floorHeight(hall.map, LevelFrame()),
+                       hall.voxels);
 }
 
 TPoint3D along(const CameraPose& p, double distance)
@@ -142,7 +143,9 @@ TEST(CameraPlacement, noPlaceIsAnAnswer)
 TEST(CameraPlacement, isLevelWhateverTheMapsAxes)
 {
     const Hall hall([](int x, int y, int z) { return VoxelCoord{x, -1 - z, y}; });
-    const auto poses = placeCamera(hall.map, LevelFrame({0, -1, 0}), CarriedCamera(), hall.voxels);
+    const LevelFrame frame({0, -1, 0});
+    const auto poses =
+        placeCamera(hall.map, frame, CarriedCamera(), floorHeight(hall.map, frame), hall.voxels);
     ASSERT_EQ(poses.size(), 3U);
     const CameraPose& p = poses[0];
     EXPECT_NEAR(p.pose.y(), -1.3, 1e-6);

@@ -119,9 +119,8 @@ CameraPose poseTowards(const LevelFrame& frame, const TPoint3D& eye, const TPoin
 
 /** All places to look at a target from. */
 std::vector<CameraPose> candidates(const SemanticVoxelMap& map, const LevelFrame& frame,
-                                   const CarriedCamera& camera, const Target& target)
+                                   const CarriedCamera& camera, double floor, const Target& target)
 {
-    const double floor = floorHeight(map, frame);
     const double angle = std::min(camera.horizontalAngle, camera.verticalAngle) / 2 * DEGREE;
     const double framing = MARGIN * target.radius() / std::sin(angle);
     const double rise = floor + camera.height - target.middle().z;
@@ -144,10 +143,11 @@ std::vector<CameraPose> candidates(const SemanticVoxelMap& map, const LevelFrame
 }  // namespace
 
 std::vector<CameraPose> placeCamera(const SemanticVoxelMap& map, const LevelFrame& frame,
-                                    const CarriedCamera& camera,
+                                    const CarriedCamera& camera, double floor,
                                     const std::vector<VoxelCoord>& voxels, size_t most)
 {
-    std::vector<CameraPose> poses = candidates(map, frame, camera, Target(map, frame, voxels));
+    std::vector<CameraPose> poses =
+        candidates(map, frame, camera, floor, Target(map, frame, voxels));
     std::stable_sort(poses.begin(), poses.end(), [](const CameraPose& a, const CameraPose& b) {
         return a.visible > b.visible;
     });

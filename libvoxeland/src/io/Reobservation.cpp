@@ -77,9 +77,10 @@ std::vector<ReobservationTarget> planReobservation(const SemanticVoxelMap& map,
         return a.target.uncertainty > b.target.uncertainty;
     });
     all.resize(std::min(most, all.size()));
+    const double floor = floorHeight(map, frame);
     std::vector<ReobservationTarget> targets;
     for (Candidate& c : all) {
-        c.target.poses = placeCamera(map, frame, camera, c.voxels);
+        c.target.poses = placeCamera(map, frame, camera, floor, c.voxels);
         targets.push_back(std::move(c.target));
     }
     return targets;

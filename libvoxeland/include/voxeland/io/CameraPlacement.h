@@ -32,10 +32,11 @@ struct CameraPose
  *  its height above the floor, and nothing occupied is where its bearer would be; it looks at the
  *  middle of the voxels from where they just fit into the picture. A voxel is visible if the ray to
  *  it stays in observed free space until it meets one of them.
+ *  \param floor its height in the level frame [m], see floorHeight()
  *  \param voxels what to look at, not empty
  *  \param most how many places to give: those that see most of the voxels, and at least 45 degrees
  *  apart as seen from these; fewer, or none, if there are no others */
 std::vector<CameraPose> placeCamera(const SemanticVoxelMap& map, const LevelFrame& frame,
-                                    const CarriedCamera& camera,
+                                    const CarriedCamera& camera, double floor,
                                     const std::vector<VoxelCoord>& voxels, size_t most = 3);
 }  // namespace voxeland
