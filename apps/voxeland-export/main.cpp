@@ -35,6 +35,7 @@ const char* const DESCRIPTION = R"(Writes a Voxeland map in formats that other p
   voxeland-export -m kitchen.voxeland --glb kitchen.glb --scene kitchen.3Dscene
   voxeland-export -m flat.voxeland --octomap flat.bt --gridmap flat.gridmap --ros-map flat.yaml
   voxeland-export -m flat.voxeland --points chairs.txt --category chair --height 0.1,1.2
+  voxeland-export -m flat.voxeland --points obstacles.metricmap --except person --height 0.1,1.2
 
 At least one output must be named. Existing files are replaced once the new ones are complete.
 Coordinates are metres in the map's frame; entropies are in nat. Grids, and nothing else, are in that
@@ -67,6 +68,8 @@ struct Arguments : apps::CommandLine
     TCLAP::MultiArg<std::string> category{
         "",    "category", "--points: only of this category; may be repeated",
         false, "NAME",     parser()};
+    TCLAP::MultiArg<std::string> except{
+        "", "except", "--points: not of this category; may be repeated", false, "NAME", parser()};
     TCLAP::ValueArg<uint32_t> minVoxels{
         "",
         "min-voxels",
@@ -180,6 +183,7 @@ void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelF
     PointsFilter filter;
     filter.frame = frame;
     for (const std::string& name : arguments.category.getValue()) filter.categories.insert(name);
+    for (const std::string& name : arguments.except.getValue()) filter.except.insert(name);
     if (arguments.height.isSet()) filter.heights = heightsOf(arguments, map, frame, {});
     if (exportPoints(map, filter, arguments.points.getValue()) == 0)
         std::cerr << "voxeland-export: warning: no voxel is of these categories and heights\n";
@@ -226,8 +230,8 @@ void check(Arguments& arguments)
         throw ConfigurationError("nothing to write: name at least one output (see --help)");
     if (arguments.rosMap.isSet()) outputs.push_back(rosImageOf(arguments.rosMap.getValue()));
     apps::checkOutputs(outputs, {arguments.map.getValue()});
-    if (arguments.category.isSet() && !arguments.points.isSet())
-        throw ConfigurationError("--category goes with --points");
+    if ((arguments.category.isSet() || arguments.except.isSet()) && !arguments.points.isSet())
+        throw ConfigurationError("--category and --except go with --points");
     if (arguments.height.isSet()) {
         static_cast<void>(apps::parseHeights("height", arguments.height.getValue()));
         if (!arguments.points.isSet() && !arguments.gridmap.isSet() && !arguments.rosMap.isSet())

@@ -18,7 +18,8 @@ using voxeland::test::tinyMap;
 
 namespace
 {
-CSimplePointsMap pointsOf(const PointsFilter& filter)
+/** Points of the tiny map, by way of a file. */
+CSimplePointsMap filtered(const PointsFilter& filter)
 {
     const TemporaryFolder folder;
     const size_t count = exportPoints(tinyMap(), filter, folder.file("p.txt"));
@@ -31,14 +32,14 @@ CSimplePointsMap pointsOf(const PointsFilter& filter)
 
 TEST(PointsFile, allOccupiedVoxelsByDefault)
 {
-    EXPECT_EQ(pointsOf({}).size(), 3U);
+    EXPECT_EQ(filtered({}).size(), 3U);
 }
 
 TEST(PointsFile, someCategories)
 {
     PointsFilter filter;
     filter.categories = {"CUP"};
-    const CSimplePointsMap cup = pointsOf(filter);
+    const CSimplePointsMap cup = filtered(filter);
     ASSERT_EQ(cup.size(), 1U);
     float x = 0, y = 0, z = 0;
     cup.getPoint(0, x, y, z);
@@ -46,18 +47,33 @@ TEST(PointsFile, someCategories)
     EXPECT_NEAR(y, 0.05, 1e-4);
     EXPECT_NEAR(z, 0.05, 1e-4);
     filter.categories = {"cup", "unknown"};
-    EXPECT_EQ(pointsOf(filter).size(), 2U);
+    EXPECT_EQ(filtered(filter).size(), 2U);
     filter.categories = {"sofa"};
-    EXPECT_EQ(pointsOf(filter).size(), 0U);
+    EXPECT_EQ(filtered(filter).size(), 0U);
+}
+
+TEST(PointsFile, allButSomeCategories)
+{
+    PointsFilter filter;
+    filter.except = {"Cup", "person"};
+    const CSimplePointsMap others = pointsOf(tinyMap(), filter);
+    ASSERT_EQ(others.size(), 2U);
+    for (size_t i = 0; i < others.size(); ++i) {
+        float x = 0, y = 0, z = 0;
+        others.getPoint(i, x, y, z);
+        EXPECT_LT(x, 0.1F) << "the cup is at 0.15";
+    }
+    filter.categories = {"cup", "unknown"};
+    EXPECT_EQ(pointsOf(tinyMap(), filter).size(), 1U) << "what both name is left out";
 }
 
 TEST(PointsFile, someHeights)
 {
     PointsFilter filter;
     filter.heights = {0, 1};
-    EXPECT_EQ(pointsOf(filter).size(), 2U) << "one voxel is below the origin";
+    EXPECT_EQ(filtered(filter).size(), 2U) << "one voxel is below the origin";
     filter.frame = LevelFrame({0, -1, 0});
-    EXPECT_EQ(pointsOf(filter).size(), 1U);
+    EXPECT_EQ(filtered(filter).size(), 1U);
 }
 
 TEST(PointsFile, serializedAndAsAScene)

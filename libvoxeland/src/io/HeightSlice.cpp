@@ -87,7 +87,7 @@ HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
     return slice;
 }
 
-void exportGridmap(const HeightSlice& slice, const std::string& file)
+mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice)
 {
     const auto columns = static_cast<double>(slice.columns), rows = static_cast<double>(slice.rows);
     mrpt::maps::COccupancyGridMap2D grid(
@@ -98,9 +98,14 @@ void exportGridmap(const HeightSlice& slice, const std::string& file)
         for (size_t column = 0; column < slice.columns; ++column)
             grid.setCell(static_cast<int>(column), static_cast<int>(row),
                          1 - slice.occupancy[row * slice.columns + column]);
+    return grid;
+}
+
+void exportGridmap(const HeightSlice& slice, const std::string& file)
+{
     AtomicFile output(file);
     GzOutputFile stream(output.part());
-    stream.writeObject(grid);
+    stream.writeObject(gridOf(slice));
     stream.close();
     output.commit();
 }

@@ -20,31 +20,26 @@ namespace voxeland
 {
 namespace
 {
+std::set<std::string> inLowerCase(const std::set<std::string>& names)
+{
+    std::set<std::string> result;
+    for (const std::string& name : names) result.insert(lowerCase(name));
+    return result;
+}
+
 /** Instances whose category is wanted, UNKNOWN_INSTANCE possibly among them. */
 std::set<instance_id_t> wantedInstances(const SemanticVoxelMap& map, const PointsFilter& filter)
 {
-    std::set<std::string> names;
-    for (const std::string& name : filter.categories) names.insert(lowerCase(name));
+    const std::set<std::string> only = inLowerCase(filter.categories);
+    const std::set<std::string> except = inLowerCase(filter.except);
     std::set<instance_id_t> wanted;
     const auto consider = [&](instance_id_t id, const std::string& category) {
-        if (names.empty() || names.count(lowerCase(category)) > 0) wanted.insert(id);
+        const std::string name = lowerCase(category);
+        if ((only.empty() || only.count(name) > 0) && except.count(name) == 0) wanted.insert(id);
     };
     consider(UNKNOWN_INSTANCE, UNKNOWN_CATEGORY);
     for (const InstanceSummary& s : summarizeInstances(map)) consider(s.id, s.category());
     return wanted;
-}
-
-CSimplePointsMap pointsOf(const SemanticVoxelMap& map, const PointsFilter& filter)
-{
-    const std::set<instance_id_t> wanted = wantedInstances(map, filter);
-    CSimplePointsMap points;
-    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
-        const auto p = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
-        if (wanted.count(map.winner(evidence)) > 0 &&
-            filter.heights.contains(filter.frame.toLevel(p).z))
-            points.insertPoint(p);
-    });
-    return points;
 }
 
 void writeSerialized(const CSimplePointsMap& points, const std::string& part)
@@ -61,6 +56,19 @@ bool writeScene(const CSimplePointsMap& points, const std::string& part)
     return scene.saveToFile(part);
 }
 }  // namespace
+
+CSimplePointsMap pointsOf(const SemanticVoxelMap& map, const PointsFilter& filter)
+{
+    const std::set<instance_id_t> wanted = wantedInstances(map, filter);
+    CSimplePointsMap points;
+    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
+        const auto p = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
+        if (wanted.count(map.winner(evidence)) > 0 &&
+            filter.heights.contains(filter.frame.toLevel(p).z))
+            points.insertPoint(p);
+    });
+    return points;
+}
 
 size_t exportPoints(const SemanticVoxelMap& map, const PointsFilter& filter,
                     const std::string& file)

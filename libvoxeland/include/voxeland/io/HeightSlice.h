@@ -5,6 +5,11 @@
 #include <string>
 #include <vector>
 
+namespace mrpt::maps
+{
+class COccupancyGridMap2D;
+}
+
 namespace voxeland
 {
 /** A level layer of a map as a flat grid, for robots that drive. */
@@ -24,8 +29,10 @@ struct HeightSlice
 HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
                     const HeightRange& heights);
 
-/** Writes a slice as an `mrpt::maps::COccupancyGridMap2D`, serialized and compressed (.gridmap, as
- *  MRPT's programs read it). \throws OutputError if that fails */
+/** A slice for MRPT's planners, in the level frame. */
+mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice);
+
+/** Writes gridOf() serialized and compressed (.gridmap, as MRPT's programs read it). \throws OutputError if that fails */
 void exportGridmap(const HeightSlice& slice, const std::string& file);
 
 /** The image beside a YAML file of ROS's map_server: the same name, ending in .pgm.

@@ -5,18 +5,27 @@
 #include <set>
 #include <string>
 
+namespace mrpt::maps
+{
+class CSimplePointsMap;
+}
+
 namespace voxeland
 {
-/** Which voxels become points. */
+/** Which voxels become points. A voxel's category is the most probable one of the instance that
+ *  wins it, or UNKNOWN_CATEGORY. */
 struct PointsFilter
 {
-    std::set<std::string> categories;  //!< most probable one of the winning instance, or
-                                       //!< UNKNOWN_CATEGORY; case is ignored; empty: all
+    std::set<std::string> categories;  //!< only these; case is ignored; empty: all
+    std::set<std::string> except;      //!< not these, such as people: they will have moved on
     LevelFrame frame;                  //!< where heights are measured
     HeightRange heights;               //!< [m]
 };
 
-/** Writes the centres of occupied voxels, in the map's frame, as an `mrpt::maps::CSimplePointsMap`:
+/** The centres of occupied voxels, in the map's frame: obstacles for MRPT's reactive navigation. */
+mrpt::maps::CSimplePointsMap pointsOf(const SemanticVoxelMap& map, const PointsFilter& filter);
+
+/** Writes pointsOf():
  *  - `.txt`: a line `x y z` each, as its load3D_from_text_file() reads;
  *  - `.metricmap`: serialized and compressed, as mrpt_map_server reads;
  *  - `.3Dscene`: for SceneViewer3D.
