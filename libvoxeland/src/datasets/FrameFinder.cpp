@@ -60,12 +60,7 @@ void FrameFinder::take(const std::shared_ptr<mrpt::serialization::CSerializable>
     } else if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object)) {
         for (const auto& o : *frame) takeObservation(o);
     } else if (const auto map = std::dynamic_pointer_cast<mrpt::maps::CSimpleMap>(object)) {
-        for (size_t i = 0; i < map->size(); ++i) {
-            mrpt::poses::CPose3DPDF::Ptr pose;
-            CSensoryFrame::Ptr sensed;
-            map->get(i, pose, sensed);
-            take(sensed);
-        }
+        for (const auto& keyframe : *map) take(keyframe.sf);
     }
 }
 

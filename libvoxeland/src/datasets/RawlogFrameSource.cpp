@@ -109,12 +109,9 @@ void RawlogFrameSource::take(const mrpt::serialization::CSerializable::Ptr& obje
             takeObservation(o);
         }
     } else if (const auto map = std::dynamic_pointer_cast<mrpt::maps::CSimpleMap>(object)) {
-        for (size_t i = 0; i < map->size(); ++i) {
-            mrpt::poses::CPose3DPDF::Ptr pose;
-            CSensoryFrame::Ptr sensed;
-            map->get(i, pose, sensed);
-            for (const auto& o : *sensed) {
-                m_assembler.addPose(o->timestamp, pose->getMeanVal().asTPose());
+        for (const auto& keyframe : *map) {
+            for (const auto& o : *keyframe.sf) {
+                m_assembler.addPose(o->timestamp, keyframe.pose->getMeanVal().asTPose());
                 takeObservation(o);
             }
         }
