@@ -36,7 +36,7 @@ CVoxelandMap::CVoxelandMap(const MapperConfig& config) : CVoxelandMap()
 void CVoxelandMap::setConfig(const MapperConfig& config)
 {
     try {
-        m_map.setOptions(config.map);
+        m_map.edit().setOptions(config.map);
     } catch (const std::invalid_argument& e) {
         throw ConfigurationError(std::string("[map] ") + e.what());
     }
@@ -54,8 +54,7 @@ const SemanticMapper& CVoxelandMap::mapper()
 StageTimes CVoxelandMap::integrate(PreparedFrame frame)
 {
     mapper();
-    m_points.reset();
-    return m_mapper->integrate(std::move(frame), m_map, m_counts);
+    return m_mapper->integrate(std::move(frame), m_map.edit(), m_counts);
 }
 
 void CVoxelandMap::setTrace(std::shared_ptr<MappingTrace> trace)
@@ -88,9 +87,8 @@ void CVoxelandMap::mapCompleteFrames()
 
 void CVoxelandMap::internal_clear()
 {
-    m_map.clear();
+    m_map.edit().clear();
     m_counts = {};
-    m_points.reset();
     startAssembler();
 }
 
@@ -124,16 +122,16 @@ bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
 std::string CVoxelandMap::asString() const
 {
     std::ostringstream text;
-    text << "voxeland map: " << m_map.instances().size() << " instances of "
-         << m_map.categories().size() << " categories, " << m_counts.frames << " frames, voxels of "
-         << m_map.resolution() << " m";
+    text << "voxeland map: " << m_map->instances().size() << " instances of "
+         << m_map->categories().size() << " categories, " << m_counts.frames
+         << " frames, voxels of " << m_map->resolution() << " m";
     return text.str();
 }
 
 void CVoxelandMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const
 {
     if (!genericMapParams.enableSaveAs3DObject) return;
-    out.insert(voxelCubes(m_map));
+    out.insert(voxelCubes(*m_map));
 }
 
 void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) const
@@ -149,13 +147,6 @@ void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) 
 
 const mrpt::maps::CSimplePointsMap* CVoxelandMap::getAsSimplePointsMap() const
 {
-    if (!m_points) {
-        m_points = std::make_shared<mrpt::maps::CSimplePointsMap>();
-        m_map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence&) {
-            const auto p = voxelCenter<mrpt::math::TPoint3Df>(v, m_map.resolution());
-            m_points->insertPoint(p.x, p.y, p.z);
-        });
-    }
-    return m_points.get();
+    return &m_map.points();
 }
 }  // namespace voxeland

@@ -19,11 +19,13 @@ void CVoxelandMap::TMapDefinition::loadFromConfigFile_map_specific(
     Ini all = file.empty() ? Ini() : Ini::fromFile(file);
     all.setFromPrefixedSections(source, sectionNamePrefix, MapperConfig::sections());
     ini = MapperConfig(all).reproducibleText();
+    likelihoodOpts.loadFromConfigFile(source, sectionNamePrefix + "_likelihoodOpts");
 }
 
 void CVoxelandMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-    out << ini;
+    out << ini << "\n";
+    likelihoodOpts.dumpToTextStream(out);
 }
 
 VOXELAND_MAP_FACTORY_RESULT CVoxelandMap::internal_CreateFromMapDefinition(
@@ -32,6 +34,7 @@ VOXELAND_MAP_FACTORY_RESULT CVoxelandMap::internal_CreateFromMapDefinition(
     const auto& d = dynamic_cast<const CVoxelandMap::TMapDefinition&>(definition);
     const MapperConfig config(Ini::fromText(d.ini, "the map's definition"));
     auto map = std::make_unique<CVoxelandMap>(config);
+    map->likelihoodOptions = d.likelihoodOpts;
 #if MRPT_VERSION >= 0x020d00
     return VOXELAND_MAP_FACTORY_RESULT(std::move(map));
 #else
@@ -41,7 +44,7 @@ VOXELAND_MAP_FACTORY_RESULT CVoxelandMap::internal_CreateFromMapDefinition(
 
 uint8_t CVoxelandMap::serializeGetVersion() const
 {
-    return 0;
+    return 1;
 }
 
 void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
@@ -49,20 +52,22 @@ void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
     out << m_configText << m_counts.frames << m_counts.framesWithoutPredictions
         << m_counts.framesWithoutPose << m_counts.predictionsWithoutFrame << m_counts.opinions
         << m_counts.merges << m_counts.splits;
-    m_map.writeTo(out);
+    m_map->writeTo(out);
     m_assembler.writeTo(out);
+    likelihoodOptions.writeTo(out);
     out << genericMapParams;
 }
 
 void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
 {
-    if (version != 0) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
+    if (version != 1) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
     CVoxelandMap read;
     in >> read.m_configText >> read.m_counts.frames >> read.m_counts.framesWithoutPredictions >>
         read.m_counts.framesWithoutPose >> read.m_counts.predictionsWithoutFrame >>
         read.m_counts.opinions >> read.m_counts.merges >> read.m_counts.splits;
-    read.m_map.readFrom(in);
+    read.m_map.edit().readFrom(in);
     read.m_assembler.readFrom(in);
+    read.likelihoodOptions.readFrom(in);
     in >> read.genericMapParams;
     *this = std::move(read);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/VoxelizedFrame.h"
 
+#include "DepthImageCheck.h"
 #include "PixelDirections.h"
 #include "PixelGrouping.h"
 #include "Projection.h"
@@ -9,7 +10,6 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/Lie/SE.h>
-#include <mrpt/system/datetime.h>
 
 #include <algorithm>
 #include <array>
@@ -24,44 +24,13 @@ namespace voxeland
 {
 namespace
 {
-std::string nameOf(const mrpt::obs::CObservation& o)
-{
-    return "frame '" + o.sensorLabel + "' of " + mrpt::system::dateTimeToString(o.timestamp);
-}
-
-template <typename Integer>
-std::string sizeText(Integer columns, Integer rows)
-{
-    return std::to_string(columns) + "x" + std::to_string(rows);
-}
-
-void checkScan(const CObservation3DRangeScan& scan)
-{
-    if (!scan.hasRangeImage)
-        throw InputError(nameOf(scan) + " has no depth image: only scans with one can be mapped");
-    const auto& image = scan.rangeImage;
-    const TCamera& camera = scan.cameraParams;
-    if (image.cols() != static_cast<int>(camera.ncols) ||
-        image.rows() != static_cast<int>(camera.nrows))
-        throw InputError(nameOf(scan) + " has a depth image of " +
-                         sizeText(image.cols(), image.rows()) + " pixels but a calibration for " +
-                         sizeText(camera.ncols, camera.nrows) + ": correct its cameraParams");
-    const bool valid = camera.fx() > 0 && camera.fy() > 0 && std::isfinite(camera.cx()) &&
-                       std::isfinite(camera.cy()) && scan.rangeUnits > 0 &&
-                       std::isfinite(scan.rangeUnits);
-    if (!valid)
-        throw InputError(nameOf(scan) +
-                         " has an invalid calibration or depth unit: correct its "
-                         "cameraParams and rangeUnits");
-}
-
 void checkPredictions(const CObservation3DRangeScan& scan, const CObservationInstances& predictions)
 {
     const TCamera& camera = maskCamera(scan);
     if (predictions.imageWidth == static_cast<int>(camera.ncols) &&
         predictions.imageHeight == static_cast<int>(camera.nrows))
         return;
-    throw InputError(nameOf(scan) + " has predictions for images of " +
+    throw InputError(frameName(scan) + " has predictions for images of " +
                      sizeText(predictions.imageWidth, predictions.imageHeight) +
                      " pixels but a colour camera of " + sizeText(camera.ncols, camera.nrows) +
                      ": make the predictions at the camera's size");
@@ -85,10 +54,10 @@ VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const 
     : m_resolution(resolution)
 {
     const CObservation3DRangeScan& scan = *frame.scan;
-    checkScan(scan);
+    checkDepthImage(scan);
     if (frame.instances) checkPredictions(scan, *frame.instances);
     const CPose3D sensorPose = frame.robotPose + scan.sensorPose;
-    if (!isValidPose(sensorPose)) throw InputError(nameOf(scan) + " has an invalid pose");
+    if (!isValidPose(sensorPose)) throw InputError(frameName(scan) + " has an invalid pose");
     m_focalLength = scan.cameraParams.fx();
     m_origin = sensorPose.translation();
     m_hitOfPixel = groupPixels(scan, sensorPose, resolution, limits, m_hits);
@@ -103,7 +72,7 @@ void VoxelizedFrame::projectIntoColour(const CObservation3DRangeScan& scan)
 {
     const TCamera& camera = maskCamera(scan);
     if (camera.distortion == mrpt::img::DistortionModel::kannala_brandt)
-        throw InputError(nameOf(scan) +
+        throw InputError(frameName(scan) +
                          " has a fisheye colour camera: predictions can be used with "
                          "pinhole cameras only");
     PixelDirections directions(scan);

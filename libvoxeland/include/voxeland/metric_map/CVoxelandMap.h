@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/metric_map/LikelihoodOptions.h"
+#include "voxeland/metric_map/SharedVoxelMap.h"
 #include "voxeland/mrpt_compat.h"
 #include "voxeland/observations/FrameAssembler.h"
 #include "voxeland/pipeline/SemanticMapper.h"
@@ -8,15 +10,11 @@
 #include <mrpt/maps/TMetricMapInitializer.h>
 #include <mrpt/maps/TMetricMapTypesRegistry.h>
 #include <mrpt/maps/metric_map_types.h>
+#include <mrpt/math/TBoundingBox.h>
 
 #include <memory>
 #include <optional>
 #include <string>
-
-namespace mrpt::maps
-{
-class CSimplePointsMap;
-}
 
 namespace voxeland
 {
@@ -26,7 +24,10 @@ namespace voxeland
  * `..._converter` and so on set single keys.
  *
  *  Depth scans and predictions come in separate insertObservation() calls, in either order; a scan
- * waits for its predictions while a few newer ones come (`prediction_wait`), see flush(). */
+ * waits for its predictions while a few newer ones come (`prediction_wait`), see flush().
+ *
+ *  Copies share the voxels and instances until one of them is changed. A CMultiMetricMap, though,
+ * copies its maps by writing and reading them: its copies cost time and memory. */
 class CVoxelandMap : public mrpt::maps::CMetricMap
 {
     DEFINE_SERIALIZABLE(CVoxelandMap, voxeland)
@@ -37,9 +38,13 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** An empty map with a checked configuration. */
     explicit CVoxelandMap(const MapperConfig& config);
 
-    [[nodiscard]] const SemanticVoxelMap& map() const { return m_map; }
-    /** For those who change what is known of instances or categories. */
-    [[nodiscard]] SemanticVoxelMap& editMap() { return m_map; }
+    using TLikelihoodOptions = LikelihoodOptions;
+    TLikelihoodOptions likelihoodOptions;  //!< of computeObservationLikelihood()
+
+    [[nodiscard]] const SemanticVoxelMap& map() const { return *m_map; }
+    /** For those who change what is known of instances or categories. The reference must not be
+     * kept until after this is copied: copies share the map. */
+    [[nodiscard]] SemanticVoxelMap& editMap() { return m_map.edit(); }
     [[nodiscard]] const MappingCounts& counts() const { return m_counts; }
     /** INI text that reproduces the map's configuration; empty: all defaults. */
     [[nodiscard]] const std::string& configText() const { return m_configText; }
@@ -64,50 +69,80 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** Maps the scans that still wait for predictions or a pose, without them. */
     void flush();
 
-    /** \name CMetricMap @{ */
-    [[nodiscard]] bool isEmpty() const override { return m_map.empty(); }
+    /** \name CMetricMap
+     *  What waits for predictions (see flush()) is part of none of these but
+     * saveMetricMapRepresentationToFile(). auxParticleFilterCleanUp() does nothing: what is kept
+     * for likelihoods goes when the map changes.
+     *  @{ */
+    [[nodiscard]] bool isEmpty() const override { return m_map->empty(); }
     [[nodiscard]] std::string asString() const override;
     /** Occupied voxels as cubes, coloured by instance. */
     void getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const override;
-    /** Writes `<prefix>.voxeland` (with waiting frames mapped) and, unless disabled in the generic
-     * map parameters, `<prefix>.3Dscene`. */
+    /** Writes `<prefix>.voxeland` (with waiting frames mapped, but for those that cannot be) and,
+     * unless disabled in the generic map parameters, `<prefix>.3Dscene`. */
     void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
-    /** Centres of occupied voxels; kept until the map changes. */
+    /** Centres of occupied voxels; valid until the map changes. */
     [[nodiscard]] const mrpt::maps::CSimplePointsMap* getAsSimplePointsMap() const override;
-    /** Share of the other map's points (those of getAsSimplePointsMap()) that fall in an occupied
-     * voxel or next to one, in [0,1]. \throws std::runtime_error if the other map cannot be seen as
-     * points */
+    /** The box around all occupied voxels [m]; all zero if there are none. (Overrides since MRPT
+     * 2.11.3, which made it virtual.) */
+    [[nodiscard]] mrpt::math::TBoundingBoxf boundingBox() const;
+
+    /** Pairs points of another map with the centres of occupied voxels, as CPointsMap does (which
+     * pairs none if the boxes around all points of either map are apart, however little).
+     *  \throws std::runtime_error if the other map is neither a CPointsMap nor can be seen as one
+     */
+    void determineMatching3D(const mrpt::maps::CMetricMap* other,
+                             const mrpt::poses::CPose3D& otherPose,
+                             mrpt::tfest::TMatchingPairList& correspondences,
+                             const mrpt::maps::TMatchingParams& params,
+                             mrpt::maps::TMatchingExtraResults& results) const override;
+    /** Like determineMatching3D(), but seen from above, with those voxels alone whose heights the
+     * other map's points have: a planar scan is matched with what a planar scanner of its height
+     * would see, not with the floor. */
+    void determineMatching2D(const mrpt::maps::CMetricMap* other,
+                             const mrpt::poses::CPose2D& otherPose,
+                             mrpt::tfest::TMatchingPairList& correspondences,
+                             const mrpt::maps::TMatchingParams& params,
+                             mrpt::maps::TMatchingExtraResults& results) const override;
+    /** Share of the other map's points that have the centre of an occupied voxel within
+     *  `params.maxDistForCorr`, in [0,1]; 0 if either map is empty. `maxMahaDistForCorr` is for
+     * maps whose elements have covariances, which voxels have not. \throws std::runtime_error as
+     * determineMatching3D() */
     [[nodiscard]] float compute3DMatchingRatio(
         const mrpt::maps::CMetricMap* other, const mrpt::poses::CPose3D& otherPose,
         const mrpt::maps::TMatchingRatioParams& params) const override;
+    /** Not for this map. \throws std::logic_error always: a point on the floor plan has no height,
+     * without which it is near a voxel of the floor wherever it is; use determineMatching2D() */
+    [[nodiscard]] float squareDistanceToClosestCorrespondence(float x0, float y0) const override;
     /** @} */
 
     MAP_DEFINITION_START(CVoxelandMap)
-    std::string ini;  //!< text of the Voxeland INI
+    std::string ini;                   //!< text of the Voxeland INI
+    LikelihoodOptions likelihoodOpts;  //!< section `<prefix>_voxelandMap_00_likelihoodOpts`
     MAP_DEFINITION_END(CVoxelandMap)
 
  private:
     void internal_clear() override;
     /** Takes CObservation3DRangeScan and CObservationInstances, ignores all else. `robotPose` is
-     * that of the robot when the observation was made. */
+     * that of the robot when the observation was made.
+     *  \throws InputError for a frame that cannot be mapped: this one, or one that waited */
     bool internal_insertObservation(
         const mrpt::obs::CObservation& observation,
         const std::optional<const mrpt::poses::CPose3D>& robotPose = std::nullopt) override;
-    /** Log-likelihood of a 2D or 3D range scan: mean over its points of ln(0.05 + 0.95 p), p being
-     * the occupancy of the voxel the point falls in, scaled by the number of points used. */
+    /** See LikelihoodOptions. */
     double internal_computeObservationLikelihood(
         const mrpt::obs::CObservation& observation,
         const mrpt::poses::CPose3D& takenFrom) const override;
+    /** What observedPoints() knows. */
     bool internal_canComputeObservationLikelihood(
         const mrpt::obs::CObservation& observation) const override;
     void mapCompleteFrames();
     void startAssembler();
 
     std::string m_configText;
-    SemanticVoxelMap m_map;
+    SharedVoxelMap m_map;
     MappingCounts m_counts;
     FrameAssembler m_assembler;
     std::optional<SemanticMapper> m_mapper;
-    mutable std::shared_ptr<mrpt::maps::CSimplePointsMap> m_points;
 };
 }  // namespace voxeland

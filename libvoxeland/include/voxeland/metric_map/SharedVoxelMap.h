@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/map/SemanticVoxelMap.h"
+#include "voxeland/metric_map/DistanceField.h"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace mrpt::maps
+{
+class CSimplePointsMap;
+}
+
+namespace voxeland
+{
+/** A semantic voxel map that copies share until one of them is changed, and what is derived from
+ * its occupied voxels, made when first asked for. Copies may be used in different threads. */
+class SharedVoxelMap
+{
+ public:
+    SharedVoxelMap();
+    // No moving: what was moved from would be without a map.
+    SharedVoxelMap(const SharedVoxelMap&) = default;
+    SharedVoxelMap& operator=(const SharedVoxelMap&) = default;
+    ~SharedVoxelMap() = default;
+
+    const SemanticVoxelMap& operator*() const { return m_content->map; }
+    const SemanticVoxelMap* operator->() const { return &m_content->map; }
+
+    /** To change the map: it is copied first if others share it. The reference must not be kept
+     * until after the next copy. */
+    SemanticVoxelMap& edit();
+
+    /** Centres of occupied voxels [m]; valid until the map changes. */
+    [[nodiscard]] const mrpt::maps::CSimplePointsMap& points() const;
+
+    /** Calls f(DistanceField&), one thread at a time. \param reach of the field [m] */
+    template <typename F>
+    auto withDistances(double reach, F&& f) const
+    {
+        const std::lock_guard<std::mutex> lock(m_content->mutex);
+        auto& field = m_content->distances;
+        if (!field || field->reach() != reach) field.emplace(m_content->map, reach);
+        return f(*field);
+    }
+
+ private:
+    struct Content
+    {
+        explicit Content(const SemanticVoxelMap& m) : map(m) {}
+
+        SemanticVoxelMap map;
+        std::mutex mutex;  //!< of what follows
+        std::shared_ptr<mrpt::maps::CSimplePointsMap> points;
+        std::optional<DistanceField> distances;
+    };
+    std::shared_ptr<Content> m_content;
+};
+}  // namespace voxeland

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+namespace mrpt::obs
+{
+class CObservation;
+class CObservation3DRangeScan;
+}  // namespace mrpt::obs
+
+namespace voxeland
+{
+/** What to call a frame in messages. */
+std::string frameName(const mrpt::obs::CObservation& observation);
+
+/** "640x480" */
+template <typename Integer>
+std::string sizeText(Integer columns, Integer rows)
+{
+    return std::to_string(columns) + "x" + std::to_string(rows);
+}
+
+/** \throws InputError, naming the frame, for scans without a depth image or with invalid
+ *  calibration or units */
+void checkDepthImage(const mrpt::obs::CObservation3DRangeScan& scan);
+}  // namespace voxeland
