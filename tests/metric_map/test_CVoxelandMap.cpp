@@ -180,6 +180,35 @@ TEST(CVoxelandMap, SavesItselfAsMrptsMapsDo)
     EXPECT_EQ(map.counts().frames, 0u);
 }
 
+TEST(CVoxelandMap, SavingLeavesOutAWaitingFrameThatCannotBeMapped)
+{
+    const test::TemporaryFolder folder;
+    CVoxelandMap map{MapperConfig()};
+    const auto frames = test::smallFrames(4);
+    frames[1].scan->rangeUnits = -1;
+    frames[2].scan->hasRangeImage = false;
+    for (const auto& f : frames) insertScan(map, f);
+    map.saveMetricMapRepresentationToFile(folder.file("map"));
+    EXPECT_EQ(loadMap(folder.file("map.voxeland"))->counts().frames, 2u);
+    EXPECT_THROW(map.flush(), InputError) << "asked for, it says so";
+}
+
+TEST(CVoxelandMap, MapsOfAnotherFormatAreCalledThat)
+{
+    const test::TemporaryFolder folder;
+    const std::string name = "voxeland::CVoxelandMap";
+    std::string bytes = bytesOf(mapOf(1));
+    ASSERT_EQ(bytes.compare(1, name.size(), name), 0);
+    bytes[1 + name.size()] = 0;
+    test::writeFile(folder.file("old.voxeland"), bytes);
+    try {
+        loadMap(folder.file("old.voxeland"));
+        FAIL() << "was read";
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("another version"), std::string::npos) << e.what();
+    }
+}
+
 TEST(CVoxelandMap, AnotherResolutionIsRefusedOnceThereAreVoxels)
 {
     CVoxelandMap map = mapOf(1);

@@ -177,9 +177,13 @@ TEST(FrameAssembler, PredictionsThatNoScanFollowsDoNotPileUp)
     EXPECT_TRUE(frame->instances) << "the newest are kept";
 }
 
-TEST(FrameAssembler, WhatWaitsIsSerializable)
+TEST(FrameAssembler, WhatWaitsIsSerializableWithLimitsAndCounts)
 {
     auto a = assembler(5);
+    a.addPose(at(0), TPose3D(NAN, 0, 0, 0, 0, 0));
+    addScan(a, 0);
+    addInstances(a, 0);
+    EXPECT_FALSE(a.next()) << "counted as being without a pose";
     addPose(a, 1);
     addScan(a, 1);
     addScan(a, 2);
@@ -189,9 +193,11 @@ TEST(FrameAssembler, WhatWaitsIsSerializable)
     a.writeTo(archive);
     stream.Seek(0);
 
-    auto b = assembler(5);
+    auto b = assembler(0);
     b.readFrom(archive);
     EXPECT_FALSE(b.empty());
+    EXPECT_EQ(b.counts().framesWithoutPose, 1u);
+    EXPECT_FALSE(b.next()) << "waits as long as the one written";
     addInstances(b, 1);
     addPose(b, 2);
     const auto frames = allOf(b);

@@ -137,8 +137,14 @@ void CVoxelandMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const
 void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) const
 {
     CVoxelandMap complete(*this);
-    complete.setTrace(nullptr);
-    complete.flush();
+    if (!m_assembler.empty()) complete.setTrace(nullptr);
+    while (!complete.m_assembler.empty()) {
+        try {
+            complete.flush();
+        } catch (const InputError&) {
+            // One frame that cannot be mapped must not keep the rest from being saved.
+        }
+    }
     saveMap(complete, prefix + ".voxeland");
     if (!genericMapParams.enableSaveAs3DObject) return;
     const LevelFrame frame(estimateUp(complete.map()));

@@ -44,7 +44,7 @@ VOXELAND_MAP_FACTORY_RESULT CVoxelandMap::internal_CreateFromMapDefinition(
 
 uint8_t CVoxelandMap::serializeGetVersion() const
 {
-    return 1;
+    return FORMAT;
 }
 
 void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
@@ -60,7 +60,7 @@ void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
 
 void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
 {
-    if (version != 1) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
+    if (version != FORMAT) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
     CVoxelandMap read;
     in >> read.m_configText >> read.m_counts.frames >> read.m_counts.framesWithoutPredictions >>
         read.m_counts.framesWithoutPose >> read.m_counts.predictionsWithoutFrame >>

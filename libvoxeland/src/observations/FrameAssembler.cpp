@@ -68,6 +68,8 @@ void FrameAssembler::forgetOldPredictions()
 
 void FrameAssembler::writeTo(mrpt::serialization::CArchive& out) const
 {
+    out << m_patience << m_poses.maxGap() << m_counts.framesWithoutPose
+        << m_counts.predictionsWithoutFrame;
     out << static_cast<uint32_t>(m_scans.size());
     for (const auto& scan : m_scans) {
         const auto pose = m_poses.at(scan->timestamp);
@@ -79,8 +81,9 @@ void FrameAssembler::writeTo(mrpt::serialization::CArchive& out) const
 
 void FrameAssembler::readFrom(mrpt::serialization::CArchive& in)
 {
-    m_scans.clear();
-    m_instances.clear();
+    const auto patience = in.ReadAs<uint32_t>();
+    *this = FrameAssembler(patience, PoseTrack(in.ReadAs<double>()));
+    in >> m_counts.framesWithoutPose >> m_counts.predictionsWithoutFrame;
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         const auto scan = in.ReadObject<CObservation3DRangeScan>();
         const bool hasPose = in.ReadAs<bool>();

@@ -33,6 +33,9 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     DEFINE_SERIALIZABLE(CVoxelandMap, voxeland)
 
  public:
+    /** Version of what is written to files; other versions are not read. */
+    static constexpr uint8_t FORMAT = 2;
+
     /** An empty map with default configuration; plugins are loaded when they are first needed. */
     CVoxelandMap();
     /** An empty map with a checked configuration. */

@@ -63,7 +63,7 @@ class FrameAssembler
     [[nodiscard]] bool empty() const { return m_scans.empty() && m_instances.empty(); }
     [[nodiscard]] const Counts& counts() const { return m_counts; }
 
-    /** What waits, with its poses. */
+    /** What waits, with its poses, the limits and the counts; not what skipScan() was told. */
     void writeTo(mrpt::serialization::CArchive& out) const;
     void readFrom(mrpt::serialization::CArchive& in);
 

@@ -22,7 +22,8 @@ class PoseTrack
      *  \throws InputError, naming file and line, if it is missing, malformed or holds no pose */
     static PoseTrack fromTumFile(const std::string& file, double maxGap);
 
-    /** \param maxGap longest time between two poses to interpolate over [s] */
+    /** Longest time between two poses to interpolate over [s] */
+    [[nodiscard]] double maxGap() const { return m_maxGap; }
     void setMaxGap(double maxGap) { m_maxGap = maxGap; }
     void add(const mrpt::Clock::time_point& time, const mrpt::math::TPose3D& pose);
     /** Pose at a time: the one recorded within a millisecond of it, or interpolated (position
