@@ -72,6 +72,32 @@ mrpt::obs::CActionCollection odometry(const CPose2D& from, const CPose2D& to)
 }
 }  // namespace
 
+TEST(Localization, ADepthScanIsLikeliestWithinAVoxelOfWhereItWasMade)
+{
+    const auto moments = tour(80);
+    const CVoxelandMap map = mapOf(moments);
+    const double voxel = map.map().resolution() + 0.001;
+    for (size_t i = 1; i < moments.size(); i += 10) {
+        const auto likeliest = [&](const mrpt::math::TPose3D& direction) {
+            double best = -1e9, offset = 0;
+            for (int step = -30; step <= 30; ++step) {
+                const double x = 0.01 * step;
+                const CPose3D error(x * direction.x, x * direction.y, x * direction.z,
+                                    x * direction.yaw, x * direction.pitch, 0);
+                const double l = map.computeObservationLikelihood(*moments[i].scan,
+                                                                  CPose3D(moments[i].pose) + error);
+                if (l > best) best = l, offset = x;
+            }
+            return offset;
+        };
+        EXPECT_NEAR(likeliest({1, 0, 0, 0, 0, 0}), 0, voxel) << i;
+        EXPECT_NEAR(likeliest({0, 1, 0, 0, 0, 0}), 0, voxel) << i;
+        EXPECT_NEAR(likeliest({0, 0, 1, 0, 0, 0}), 0, voxel) << i;
+        EXPECT_NEAR(likeliest({0, 0, 0, 1, 0, 0}), 0, 0.021) << i;
+        EXPECT_NEAR(likeliest({0, 0, 0, 0, 1, 0}), 0, 0.021) << i;
+    }
+}
+
 TEST(Localization, AParticleFilterFindsTheRobotAnywhereInTheRoom)
 {
     const auto moments = tour(80);

@@ -5,6 +5,7 @@
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/serialization/stl_serialization.h>
 
+#include <array>
 #include <stdexcept>
 
 using mrpt::serialization::CArchive;
@@ -33,10 +34,28 @@ MapOptions readOptions(CArchive& in)
     return o;
 }
 
+// One call for a block's occupancies: sets of maps are copied by writing and reading them.
+void writeOccupancy(CArchive& out, const MapBlock& block)
+{
+    std::array<log_odds_t, BLOCK_CELLS> values;
+    for (int cell = 0; cell < BLOCK_CELLS; ++cell)
+        values[static_cast<size_t>(cell)] = block.occupancy(cell);
+    out.WriteBufferFixEndianness(values.data(), values.size());
+}
+
+void readOccupancy(CArchive& in, MapBlock& block)
+{
+    std::array<log_odds_t, BLOCK_CELLS> values;
+    if (in.ReadBufferFixEndianness(values.data(), values.size()) != sizeof(values))
+        throw std::runtime_error("corrupt map: it ends within a block");
+    for (int cell = 0; cell < BLOCK_CELLS; ++cell)
+        block.setOccupancy(cell, values[static_cast<size_t>(cell)]);
+}
+
 void write(CArchive& out, const VoxelCoord& coord, const MapBlock& block)
 {
     write(out, coord);
-    for (int cell = 0; cell < BLOCK_CELLS; ++cell) out << block.occupancy(cell);
+    writeOccupancy(out, block);
     out << static_cast<uint32_t>(block.surface().count());
     block.forEachSurface([&](int cell, const VoxelEvidence& evidence) {
         out << static_cast<uint16_t>(cell) << evidence.size();
@@ -82,8 +101,7 @@ void SemanticVoxelMap::readFrom(CArchive& in)
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         const VoxelCoord coord = readBlockCoord(in);
         MapBlock& block = read.m_blocks.at(coord);
-        for (int cell = 0; cell < BLOCK_CELLS; ++cell)
-            block.setOccupancy(cell, in.ReadAs<log_odds_t>());
+        readOccupancy(in, block);
         for (auto surface = in.ReadAs<uint32_t>(); surface > 0; --surface) {
             const auto cell = in.ReadAs<uint16_t>();
             if (cell >= BLOCK_CELLS)
