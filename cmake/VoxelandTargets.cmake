@@ -23,16 +23,36 @@ function(voxeland_warnings target)
     $<$<BOOL:${VOXELAND_WERROR}>:-Werror>)
 endfunction()
 
+# voxeland_library(TARGET): a shared library and component. voxeland_NAME is in libvoxeland-NAME.so,
+# and is voxeland::NAME for others. Rooms add their sources.
+function(voxeland_library target)
+  string(REPLACE "voxeland_" "" name ${target})
+  add_library(${target} SHARED)
+  add_library(voxeland::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/libvoxeland/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  string(REPLACE "_" "-" file ${target})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${file} EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    INSTALL_RPATH "$ORIGIN")
+  voxeland_warnings(${target})
+  install(TARGETS ${target} EXPORT ${file}Targets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    COMPONENT libraries NAMELINK_COMPONENT dev)
+endfunction()
+
 # All programs and plugins, without tests and benchmarks.
 add_custom_target(programs)
 
-# voxeland_program(NAME source...): a command line program in build/bin.
+# voxeland_program(NAME source...): a command line program in build/bin, with a man page.
 function(voxeland_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE voxeland_apps_common)
   voxeland_warnings(${name})
   add_dependencies(programs ${name})
-  install(TARGETS ${name} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  set_property(GLOBAL APPEND PROPERTY VOXELAND_PROGRAMS ${name})
+  install(TARGETS ${name} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT apps)
 endfunction()
 
 # voxeland_plugin(NAME source...): a plugin NAME.so in build/lib/voxeland.
@@ -44,7 +64,7 @@ function(voxeland_plugin name)
     LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib/voxeland"
     INSTALL_RPATH "$ORIGIN/..")
   voxeland_warnings(${name})
-  install(TARGETS ${name} LIBRARY DESTINATION "${VOXELAND_PLUGIN_INSTALL_DIR}")
+  install(TARGETS ${name} LIBRARY DESTINATION "${VOXELAND_PLUGIN_INSTALL_DIR}" COMPONENT plugins)
 endfunction()
 
 # voxeland_test(NAME source...): a GoogleTest program; every TEST becomes one ctest.

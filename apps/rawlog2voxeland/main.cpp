@@ -6,12 +6,12 @@
 #include "voxeland/io/AnswersAsText.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/ExportAll.h"
-#include "voxeland/io/RawlogFiles.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
 #include "voxeland/pipeline/MappingTrace.h"
 #include "voxeland/pipeline/TimingLog.h"
 #include "voxeland/plugins/PluginLoader.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <filesystem>
 #include <iostream>

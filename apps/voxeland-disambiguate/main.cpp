@@ -12,11 +12,11 @@
 #include "voxeland/disambiguation/ViewPictures.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
-#include "voxeland/io/RawlogFiles.h"
 #include "voxeland/io/UpDirection.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/plugins/PluginLoader.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <algorithm>
 #include <charconv>

@@ -17,7 +17,7 @@ using namespace voxeland;
 
 namespace
 {
-const char* const DESCRIPTION = R"(Tells what a Voxeland map holds: a summary, or one of
+const char* const DESCRIPTION = R"(Tells what a Voxeland map holds: a summary, or what one of the options asks for.
 
   voxeland-info kitchen.voxeland --instances            all objects, the biggest first
   voxeland-info kitchen.voxeland --find chair           where the chairs are, the nearest first

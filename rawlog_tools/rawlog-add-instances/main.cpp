@@ -4,8 +4,8 @@
 #include "common/Progress.h"
 #include "voxeland/datasets/RawlogPredictions.h"
 #include "voxeland/errors.h"
-#include "voxeland/io/RawlogFiles.h"
 #include "voxeland/pipeline/MapperConfig.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <iostream>
 

@@ -5,8 +5,8 @@
 #include "voxeland/datasets/CalibrationCheck.h"
 #include "voxeland/datasets/DatasetImport.h"
 #include "voxeland/errors.h"
-#include "voxeland/io/RawlogFiles.h"
 #include "voxeland/joined.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <algorithm>
 #include <cmath>

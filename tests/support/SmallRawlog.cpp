@@ -2,7 +2,7 @@
 #include "support/SmallRawlog.h"
 
 #include "voxeland/io/GzOutputFile.h"
-#include "voxeland/io/RawlogFiles.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <cmath>
 

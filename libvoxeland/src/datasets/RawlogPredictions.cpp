@@ -5,8 +5,8 @@
 #include "voxeland/errors.h"
 #include "voxeland/io/GzInputFile.h"
 #include "voxeland/io/GzOutputFile.h"
-#include "voxeland/io/RawlogFiles.h"
 #include "voxeland/observations/MaskCamera.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CSensoryFrame.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/datasets/RgbdRawlogWriter.h"
+#include "voxeland/rawlogs/RgbdRawlogWriter.h"
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/ViewPictures.h"
 
-#include "voxeland/datasets/FrameFinder.h"
 #include "voxeland/errors.h"
+#include "voxeland/rawlogs/FrameFinder.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/imgcodecs.hpp>

@@ -2,8 +2,8 @@
 #include "ClassNames.h"
 
 #include "voxeland/datasets/CategoryNames.h"
+#include "voxeland/datasets/LabelMap.h"
 #include "voxeland/errors.h"
-#include "voxeland/evaluation/LabelMap.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/datasets/DatasetOptions.h"
-#include "voxeland/datasets/RgbdRawlogWriter.h"
+#include "voxeland/rawlogs/RgbdRawlogWriter.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/datasets/LabelMap.h"
 #include "voxeland/evaluation/EvaluationProtocol.h"
-#include "voxeland/evaluation/LabelMap.h"
 #include "voxeland/map/VoxelEvidence.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/datasets/RawlogFrameSource.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
+#include "voxeland/rawlogs/RawlogFrameSource.h"
 
 #include <functional>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/RgbdRawlogWriter.h"
+#include "voxeland/rawlogs/RgbdRawlogWriter.h"
 
 #include "ImageFolder.h"
 #include "voxeland/io/GzOutputFile.h"
-#include "voxeland/io/RawlogFiles.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationComment.h>

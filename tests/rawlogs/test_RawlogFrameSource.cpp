@@ -2,7 +2,7 @@
 /** Which predictions of a sidecar reach a frame, and which are counted as lost. */
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/RawlogFrameSource.h"
+#include "voxeland/rawlogs/RawlogFrameSource.h"
 
 #include <gtest/gtest.h>
 

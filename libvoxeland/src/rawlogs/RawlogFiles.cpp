@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/io/RawlogFiles.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include "voxeland/errors.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/TestFiles.h"
-#include "voxeland/datasets/RgbdRawlogWriter.h"
 #include "voxeland/errors.h"
+#include "voxeland/rawlogs/RgbdRawlogWriter.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CFileGZInputStream.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/RawlogFrameSource.h"
+#include "voxeland/rawlogs/RawlogFrameSource.h"
 
 #include "voxeland/errors.h"
 #include "voxeland/io/GzInputFile.h"
-#include "voxeland/io/RawlogFiles.h"
 #include "voxeland/pipeline/PoseSource.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CActionCollection.h>

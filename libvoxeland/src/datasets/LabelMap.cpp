@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evaluation/LabelMap.h"
+#include "voxeland/datasets/LabelMap.h"
 
-#include "../datasets/Csv.h"
-#include "../datasets/TextFile.h"
+#include "Csv.h"
+#include "TextFile.h"
 #include "voxeland/errors.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/FrameFinder.h"
+#include "voxeland/rawlogs/FrameFinder.h"
 
 #include "voxeland/io/GzInputFile.h"
-#include "voxeland/io/RawlogFiles.h"
+#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
