@@ -138,6 +138,9 @@ TEST(CVoxelandMap, SerializationKeepsEverythingIncludingWhatWaits)
     stream.Seek(0);
     const auto read = archive.ReadObject<CVoxelandMap>();
     EXPECT_EQ(bytesOf(*read), bytesOf(map));
+    ASSERT_FALSE(map.map().instances().empty());
+    for (const auto& [id, instance] : map.map().instances())
+        EXPECT_EQ(read->map().instance(id).voxels, instance.voxels);
     for (auto* m : {&map, read.get()}) {
         insertScan(*m, frames[4]);
         insertScan(*m, frames[5]);

@@ -102,18 +102,24 @@ void SemanticVoxelMap::readFrom(CArchive& in)
         const VoxelCoord coord = readBlockCoord(in);
         MapBlock& block = read.m_blocks.at(coord);
         readOccupancy(in, block);
+        std::set<instance_id_t> present;
         for (auto surface = in.ReadAs<uint32_t>(); surface > 0; --surface) {
             const auto cell = in.ReadAs<uint16_t>();
-            if (cell >= BLOCK_CELLS)
-                throw std::runtime_error("corrupt map: no such voxel in a block");
+            if (cell >= BLOCK_CELLS || block.surface().test(cell))
+                throw std::runtime_error("corrupt map: no such voxel in a block, or twice");
+            VoxelEvidence& evidence = block.evidenceAt(cell);
             for (auto entries = in.ReadAs<uint32_t>(); entries > 0; --entries) {
                 const auto instance = in.ReadAs<instance_id_t>();
-                const auto alpha = readEvidence<float>(in);
                 if (instance != UNKNOWN_INSTANCE && read.m_instances.count(instance) == 0)
                     throw std::runtime_error("corrupt map: evidence for an instance it lacks");
-                read.addEvidence(voxelAt(coord, cell), instance, alpha);
+                evidence.add(instance, readEvidence<float>(in));
+                present.insert(instance);
             }
+            read.forEachMember(evidence,
+                               [&](instance_id_t id) { ++read.m_instances.at(id).voxels; });
         }
+        present.erase(UNKNOWN_INSTANCE);
+        for (const instance_id_t id : present) read.m_instances.at(id).blocks.insert(coord);
     }
     for (const auto& [id, instance] : read.m_instances)
         for (const VoxelCoord& b : instance.blocks)
