@@ -28,18 +28,14 @@ void CVoxelandMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& o
     likelihoodOpts.dumpToTextStream(out);
 }
 
-VOXELAND_MAP_FACTORY_RESULT CVoxelandMap::internal_CreateFromMapDefinition(
+MapFactoryResult CVoxelandMap::internal_CreateFromMapDefinition(
     const mrpt::maps::TMetricMapInitializer& definition)
 {
     const auto& d = dynamic_cast<const CVoxelandMap::TMapDefinition&>(definition);
     const MapperConfig config(Ini::fromText(d.ini, "the map's definition"));
     auto map = std::make_unique<CVoxelandMap>(config);
     map->likelihoodOptions = d.likelihoodOpts;
-#if MRPT_VERSION >= 0x020d00
-    return VOXELAND_MAP_FACTORY_RESULT(std::move(map));
-#else
-    return map.release();
-#endif
+    return mapFactoryResult(std::move(map));
 }
 
 uint8_t CVoxelandMap::serializeGetVersion() const
