@@ -7,7 +7,8 @@
 
 #include <string>
 
-/** \file The chat completions protocol, and where servers speak it differently. */
+/** \file
+ * The chat completions protocol, and where servers speak it differently. */
 namespace voxeland
 {
 /** What a request says besides the question. */

@@ -3,7 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-/** \file The ways a run can fail. The library throws them, each with one sentence that says what
+/** \file
+ * The ways a run can fail. The library throws them, each with one sentence that says what
  * went wrong, where, and what to do; programs turn them into the exit codes given here. */
 namespace voxeland
 {

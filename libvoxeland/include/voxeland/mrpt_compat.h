@@ -5,7 +5,8 @@
 #include <memory>
 #include <type_traits>
 
-/** \file Everything that differs between the MRPT versions supported (2.5.8 and newer 2.x). */
+/** \file
+ * Everything that differs between the MRPT versions supported (2.5.8 and newer 2.x). */
 
 // MRPT 2.14 added the namespace to the macro that declares an abstract class.
 #if MRPT_VERSION >= 0x020e00

@@ -6,7 +6,7 @@
 
 namespace voxeland
 {
-/** Microsoft's 7-Scenes: `seq-NN/frame-NNNNNN.{color.png,depth.png,pose.txt}`.
+/** Microsoft's 7-Scenes: `seq-NN/frame-NNNNNN` with `.color.png`, `.depth.png` and `.pose.txt`.
  *
  *  - The folder may be a scene (all its sequences are read, in order) or one sequence.
  *  - Colour may also be `.color.jpg`. Depth is 16 bit in mm; 0 and 65535 are invalid (65535 becomes

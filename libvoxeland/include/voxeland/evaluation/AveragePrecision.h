@@ -9,6 +9,7 @@ namespace voxeland
 /** Instances of one class that were right or wrong at one overlap threshold. */
 struct RankedMatches
 {
+    /** An instance that counts. */
     struct Entry
     {
         double score = 0;
@@ -29,9 +30,10 @@ struct RankedMatches
 RankedMatches matchClass(const std::vector<EvaluatedScene>& scenes, class_id_t cls,
                          double iouThreshold, const EvaluationProtocol& protocol);
 
+/** A point of the curve of precision over recall. */
 struct PrecisionRecall
 {
-    double precision = 0, recall = 0;
+    double precision = 0, recall = 0;  //!< [0,1]
 };
 
 /** Precision and recall of what scores at least s, for each score s that occurs, in increasing

@@ -3,7 +3,8 @@
 #include "voxeland/io/MapAnswers.h"
 #include "voxeland/io/Reobservation.h"
 
-/** \file Answers of a map for people to read, and for programs as JSON (units as in
+/** \file
+ * Answers of a map for people to read, and for programs as JSON (units as in
  * instancesAsJson()). All end with a line break. */
 namespace voxeland
 {

@@ -4,7 +4,8 @@
 
 #include <string>
 
-/** \file Why an instance is what a map takes it for: evidence of each category, and which views,
+/** \file
+ * Why an instance is what a map takes it for: evidence of each category, and which views,
  * merges, splits and decisions brought it. */
 namespace voxeland
 {

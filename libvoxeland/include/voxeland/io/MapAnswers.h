@@ -50,6 +50,7 @@ struct PlaceAnswer
     mrpt::math::TPoint3D center;  //!< of the voxel that holds the place [m]
     bool observed = false;        //!< whether its occupancy is known
     double occupancy = 0.5;       //!< probability
+    /** An instance the place may belong to. */
     struct InstanceShare
     {
         instance_id_t id = UNKNOWN_INSTANCE;

@@ -21,6 +21,7 @@ struct ViewOptions
 /** Pictures of a map. */
 struct MapViews
 {
+    /** One of them, as a PNG file. */
     struct Picture
     {
         std::string name;          //!< of its file, without folder and ending

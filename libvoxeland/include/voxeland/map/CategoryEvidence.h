@@ -39,6 +39,7 @@ class CategoryTable
 class CategoryEvidence
 {
  public:
+    /** Evidence of one category. */
     struct Entry
     {
         category_id_t category = 0;

@@ -50,7 +50,8 @@ class SemanticVoxelMap
     [[nodiscard]] bool empty() const { return m_blocks.size() == 0; }
     void clear();
 
-    /** \name Voxels @{ */
+    /** \name Voxels
+     * @{ */
     [[nodiscard]] const BlockMap<MapBlock>& blocks() const { return m_blocks; }
     [[nodiscard]] BlockMap<MapBlock>& blocks() { return m_blocks; }
 
@@ -94,7 +95,8 @@ class SemanticVoxelMap
     }
     /** @} */
 
-    /** \name Instances (*unknown* is not one of them) @{ */
+    /** \name Instances (*unknown* is not one of them)
+     * @{ */
     [[nodiscard]] const std::map<instance_id_t, Instance>& instances() const { return m_instances; }
     /** A live instance by its id; throws std::out_of_range if there is none. */
     [[nodiscard]] Instance& instance(instance_id_t id) { return m_instances.at(id); }
@@ -130,7 +132,8 @@ class SemanticVoxelMap
     }
     /** @} */
 
-    /** \name Categories @{ */
+    /** \name Categories
+     * @{ */
     [[nodiscard]] const CategoryTable& categories() const { return m_categories; }
     [[nodiscard]] CategoryTable& categories() { return m_categories; }
     /** @} */

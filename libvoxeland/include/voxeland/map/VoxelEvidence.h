@@ -19,6 +19,7 @@ inline constexpr instance_id_t UNKNOWN_INSTANCE = 0;
 class VoxelEvidence
 {
  public:
+    /** Evidence of one instance. */
     struct Entry
     {
         instance_id_t instance = UNKNOWN_INSTANCE;

@@ -19,7 +19,7 @@ struct InputOptions
     std::string depth_sensor_label;  //!< sensorLabel of the RGB-D camera; empty: the first one met
     std::string instances_sensor_label;  //!< sensorLabel of the predictions; empty: any
     std::string pose_source =
-        "robot_pose";              //!< robot_pose | odometry | actions | simplemap | tum:<file>
+        "robot_pose";              //!< robot_pose | odometry | actions | simplemap | `tum:FILE`
     double max_pose_gap = 0.25;    //!< longest time to interpolate poses over [s]
     uint32_t prediction_wait = 5;  //!< newer frames to wait for a frame's predictions or pose
     DepthLimits depth;
@@ -46,8 +46,8 @@ struct RefinementOptions
     bool continuity = true;     //!< merge only what is connected
     double min_evidence = 1.5;  //!< instances with less, the sum of their opinions' confidences,
                                 //!< are shown as *unknown* ...
-    uint32_t patience = 30;  //!< ... once they were not seen for so many frames
-    int dbscan_eps = 2;      //!< voxels up to this far along each axis are neighbours
+    uint32_t patience = 30;     //!< ... once they were not seen for so many frames
+    int dbscan_eps = 2;         //!< voxels up to this far along each axis are neighbours
     uint32_t dbscan_min_points =
         4;  //!< voxels in the neighbourhood (itself included) that make a core
     uint32_t min_part_voxels =

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-/** \file Objects painted in a colour of their category, so that a program that looks at an image
+/** \file
+ * Objects painted in a colour of their category, so that a program that looks at an image
  * can tell what it shows. All paints are fully saturated, which nothing else in an apartment is. */
 namespace voxeland::simulation
 {

@@ -5,8 +5,8 @@
 
 namespace voxeland::simulation
 {
-/** Random numbers that are the same with every standard library: the distributions of <random> are
- *  left to the implementation, so only its engine is used. */
+/** Random numbers that are the same with every standard library: its distributions are left to the
+ *  implementation, so only its engine is used. */
 class Random
 {
  public:
