@@ -37,6 +37,7 @@ function(voxeland_library target)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${file} EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     INSTALL_RPATH "$ORIGIN")
+  set_property(GLOBAL APPEND PROPERTY VOXELAND_LIBRARIES ${file})
   voxeland_warnings(${target})
   install(TARGETS ${target} EXPORT ${file}Targets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     COMPONENT libraries NAMELINK_COMPONENT dev)
