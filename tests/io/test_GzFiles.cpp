@@ -113,3 +113,22 @@ TEST(GzInputFile, noticesADamagedFileAndOneOfSomethingElse)
     EXPECT_THROW(readAll(folder.file("missing")), InputError);
     EXPECT_THROW(readAll(folder.path().string()), InputError);
 }
+
+TEST(GzInputFile, tellsAnObjectOfANewerVersionFromDamage)
+{
+    const TemporaryFolder folder;
+    writeThree(folder.file("f"), 0);
+    GzInputFile in(folder.file("f"));
+    in.readObject();
+    std::string bytes = in.objectBytes();
+    bytes[1 + std::string("mrpt::obs::CObservationComment").size()] = 99;
+    test::writeFile(folder.file("newer"), bytes);
+    try {
+        readAll(folder.file("newer"));
+        FAIL() << "no exception";
+    } catch (const InputError& e) {
+        EXPECT_EQ(e.what(), folder.file("newer") +
+                                " after 0 bytes: an object of a newer version than is known here; "
+                                "was it written with a newer MRPT?");
+    }
+}

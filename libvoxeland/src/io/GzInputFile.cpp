@@ -15,6 +15,19 @@ namespace fs = std::filesystem;
 
 namespace voxeland
 {
+namespace
+{
+/** \param what of MRPT's exception */
+std::string reason(const std::string& what)
+{
+    const auto says = [&](const char* text) { return what.find(text) != std::string::npos; };
+    if (says("not registered")) return "an object of a class that is not known here";
+    if (says("unknown serialization version"))
+        return "an object of a newer version than is known here; was it written with a newer MRPT?";
+    return "the file is damaged or not of MRPT objects";
+}
+}  // namespace
+
 GzInputFile::GzInputFile(const std::string& file) : m_name(file)
 {
     std::error_code error;
@@ -43,10 +56,7 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
             if (state == Z_OK) return nullptr;
         }
         if (gzeof(m_file)) throw InputError(where + ": the file is cut off or damaged");
-        const std::string why = e.what();
-        const bool unknown = why.find("not registered") != std::string::npos;
-        throw InputError(where + (unknown ? ": an object of a class that is not known here"
-                                          : ": the file is damaged or not of MRPT objects"));
+        throw InputError(where + ": " + reason(e.what()));
     }
 }
 
