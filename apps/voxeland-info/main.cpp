@@ -7,6 +7,7 @@
 #include "voxeland/io/InstanceExplanation.h"
 #include "voxeland/io/MapAnswers.h"
 #include "voxeland/io/Reobservation.h"
+#include "voxeland/io/SmallInstances.h"
 #include "voxeland/io/UpDirection.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
@@ -20,9 +21,11 @@ namespace
 const char* const DESCRIPTION = R"(Tells what a Voxeland map holds: a summary, or what one of the options asks for.
 
   voxeland-info kitchen.voxeland --instances            all objects, the biggest first
+  voxeland-info kitchen.voxeland --instances --min-voxels 5      without specks
   voxeland-info kitchen.voxeland --find chair           where the chairs are, the nearest first
   voxeland-info kitchen.voxeland --find cup --from 1,2,0
-  voxeland-info kitchen.voxeland --at 1.2,0.5,0.7       everything known of one place
+  voxeland-info kitchen.voxeland --at 1.2,0.5,0.7       everything known of one place, and
+                                                        the nearest object if none is there
   voxeland-info kitchen.voxeland --reobserve            what to look at again, and where from
   voxeland-info kitchen.voxeland --explain 12           why object 12 is what it is: evidence, views,
                                                         merges, splits, decisions
@@ -73,6 +76,9 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<instance_id_t> explain{
         "",   "explain", "Evidence, views, merges, splits and decisions of one object", false, 0,
         "ID", parser()};
+    TCLAP::ValueArg<uint32_t> minVoxels{
+        "",  "min-voxels", "Take instances of fewer occupied voxels for unknown", false, 0,
+        "N", parser()};
     TCLAP::ValueArg<std::string> from{
         "",      "from",  "Where --find measures distances from (default: the origin)", false, "",
         "X,Y,Z", parser()};
@@ -173,7 +179,10 @@ int run(int argc, char** argv)
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
     check(arguments);
-    std::cout << answer(arguments, *loadMap(arguments.map.getValue()));
+    const auto loaded = loadMap(arguments.map.getValue());
+    if (arguments.minVoxels.isSet())
+        dismissSmallInstances(loaded->editMap(), arguments.minVoxels.getValue());
+    std::cout << answer(arguments, *loaded);
     return 0;
 }
 }  // namespace

@@ -62,6 +62,7 @@ TEST_F(VoxelandInfo, instances)
     EXPECT_EQ(all[0]["probability"], 1);
     EXPECT_NEAR(all[0]["centroid"][0].get<double>(), 2.025, 1e-9);
     EXPECT_NEAR(all[0]["centroid"][1].get<double>(), 0.54, 0.1);
+    EXPECT_EQ(askJson({"--instances", "--min-voxels", "100000"}), json::array());
 }
 
 TEST_F(VoxelandInfo, find)

@@ -95,6 +95,7 @@ TEST(MapAnswers, aPlaceOnAnObject)
     EXPECT_NEAR(a.instanceEntropy, test::H_INSTANCE_10_1, 1e-9);
     EXPECT_NEAR(a.winnerCategoryEntropy, test::H_CATEGORY_2_2, 1e-9);
     EXPECT_NEAR(a.categoryEntropy, test::H_SEMANTIC_SEAT, 1e-6);
+    EXPECT_FALSE(a.nearest) << "one is there";
 }
 
 TEST(MapAnswers, aPlaceNobodySaw)
@@ -104,6 +105,22 @@ TEST(MapAnswers, aPlaceNobodySaw)
     EXPECT_TRUE(a.instances.empty());
     EXPECT_EQ(a.occupancy, 0.5);
     EXPECT_NE(asText(a).find("never observed"), std::string::npos);
+}
+
+TEST(MapAnswers, whereThereIsNoObjectTheNearestOneIsNamed)
+{
+    const SemanticVoxelMap map = tinyMap();
+    const auto cup = findInstances(map, "cup", {}).at(0).summary;
+    auto place = cup.centroid;  // of its only voxel
+    place.x += 0.3;
+    place.y += 0.4;
+    const PlaceAnswer a = askPlace(map, place);
+    ASSERT_TRUE(a.nearest);
+    EXPECT_EQ(a.nearest->id, cup.id);
+    EXPECT_NEAR(a.nearest->distance, 0.5, 1e-6);
+    EXPECT_NE(asText(a).find("nearest object  2 (cup), 0.50 m away"), std::string::npos);
+    EXPECT_EQ(json::parse(asJson(a))["nearest"]["category"], "cup");
+    EXPECT_FALSE(askPlace(SemanticVoxelMap(), place).nearest) << "there is no object at all";
 }
 
 TEST(MapAnswers, textNamesWhatMatters)

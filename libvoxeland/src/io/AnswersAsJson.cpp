@@ -86,6 +86,10 @@ std::string asJson(const PlaceAnswer& a)
                                      {"alpha", i.alpha},
                                      {"probability", i.probability}});
     for (const auto& c : a.categories) json["categories"][c.name] = c.probability;
+    if (a.nearest)
+        json["nearest"] = {{"id", a.nearest->id},
+                           {"category", a.nearest->category},
+                           {"distance", a.nearest->distance}};
     return toText(json);
 }
 }  // namespace voxeland

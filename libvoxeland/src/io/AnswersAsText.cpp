@@ -95,6 +95,9 @@ std::string asText(const std::vector<ReobservationTarget>& targets)
 std::string asText(const PlaceAnswer& a)
 {
     std::string text = format("voxel centre    %s m\n", xyz(a.center).c_str());
+    if (a.nearest)
+        text += format("nearest object  %u (%s), %.2f m away\n", a.nearest->id,
+                       a.nearest->category.c_str(), a.nearest->distance);
     if (!a.observed && a.instances.empty()) return text + "never observed\n";
     text +=
         format("occupancy       %.3f (%s)\n", a.occupancy, a.occupancy > 0.5 ? "occupied" : "free");

@@ -28,6 +28,38 @@ std::vector<FoundInstance> allInstances(const SemanticVoxelMap& map, const Level
     }
     return all;
 }
+
+/** Name of the most probable category of an instance. */
+std::string categoryOf(const SemanticVoxelMap& map, instance_id_t id)
+{
+    if (id == UNKNOWN_INSTANCE) return UNKNOWN_CATEGORY;
+    const auto ranked = categoryDistribution(map, map.instance(id));
+    return ranked.empty() ? UNKNOWN_CATEGORY : ranked.front().name;
+}
+
+/** Whether any object has evidence in a voxel; null: one without evidence. */
+bool isOfObject(const VoxelEvidence* evidence)
+{
+    return evidence != nullptr &&
+           std::any_of(evidence->begin(), evidence->end(),
+                       [](const auto& e) { return e.instance != UNKNOWN_INSTANCE; });
+}
+
+std::optional<PlaceAnswer::NearestObject> nearestObject(const SemanticVoxelMap& map,
+                                                        const mrpt::math::TPoint3D& place)
+{
+    std::optional<PlaceAnswer::NearestObject> nearest;
+    for (const auto& [id, voxels] : voxelsByWinner(map)) {
+        if (id == UNKNOWN_INSTANCE) continue;
+        for (const VoxelCoord& v : voxels) {
+            const double distance =
+                (voxelCenter<mrpt::math::TPoint3D>(v, map.resolution()) - place).norm();
+            if (!nearest || distance < nearest->distance) nearest = {id, "", distance};
+        }
+    }
+    if (nearest) nearest->category = categoryOf(map, nearest->id);
+    return nearest;
+}
 }  // namespace
 
 MapOverview overviewOf(const SemanticVoxelMap& map, const MappingCounts& counts)
@@ -101,15 +133,12 @@ PlaceAnswer askPlace(const SemanticVoxelMap& map, const mrpt::math::TPoint3D& pl
     answer.observed = map.occupancy(v) != UNOBSERVED;
     answer.occupancy = OccupancyFilter::probability(map.occupancy(v));
     const VoxelEvidence* evidence = map.evidence(v);
+    if (!isOfObject(evidence)) answer.nearest = nearestObject(map, place);
     if (evidence == nullptr) return answer;
 
     const auto total = static_cast<double>(evidence->total());
     for (const auto& e : *evidence) {
-        std::string name = UNKNOWN_CATEGORY;
-        if (e.instance != UNKNOWN_INSTANCE) {
-            const auto ranked = categoryDistribution(map, map.instance(e.instance));
-            if (!ranked.empty()) name = ranked.front().name;
-        }
+        const std::string name = categoryOf(map, e.instance);
         const auto alpha = static_cast<double>(e.alpha);
         answer.instances.push_back({e.instance, name, alpha, alpha / total});
     }

@@ -4,6 +4,7 @@
 #include "voxeland/map/MapQueries.h"
 #include "voxeland/pipeline/SemanticMapper.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,9 +59,18 @@ struct PlaceAnswer
         double alpha = 0;        //!< evidence: weighted number of points
         double probability = 0;  //!< p(I_v = id | z)
     };
-    std::vector<InstanceShare> instances;    //!< the most probable first; empty: nothing measured
+    std::vector<InstanceShare> instances;  //!< the most probable first; empty: nothing measured
+    /** Object with the nearest occupied voxel, where no object has evidence at the place. */
+    struct NearestObject
+    {
+        instance_id_t id = UNKNOWN_INSTANCE;
+        std::string category;  //!< its most probable one
+        double distance = 0;   //!< from the place to the centre of that voxel [m]
+    };
+    std::optional<NearestObject> nearest;
     std::vector<RankedCategory> categories;  //!< by total probability, the most probable first
     double instanceEntropy = 0, winnerCategoryEntropy = 0, categoryEntropy = 0;  //!< [nat]
 };
+/** One look-up, and a pass over the map where no object has evidence at the place. */
 PlaceAnswer askPlace(const SemanticVoxelMap& map, const mrpt::math::TPoint3D& place);
 }  // namespace voxeland

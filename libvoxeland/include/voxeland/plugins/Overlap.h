@@ -53,13 +53,14 @@ struct OpinionOverlaps
     std::vector<uint32_t> shared;  //!< voxels that it has in common with each opinion of the frame
 };
 
-/** Whether two opinions of a frame, by their numbers, lie apart: an object is rarely detected in
- * pieces, so they are most likely about two objects. */
+/** Whether two opinions of a frame, by their numbers, share less than half of the smaller one. An
+ * object is rarely detected in pieces, so they are most likely about two objects; masks that bleed
+ * over each other's edge share voxels too, but fewer. */
 inline bool lieApart(const std::vector<OpinionOverlaps>& opinions, size_t a, size_t b)
 {
     const size_t smaller =
         std::min(opinions[a].opinion->voxels.size(), opinions[b].opinion->voxels.size());
-    return 10 * static_cast<size_t>(opinions[a].shared[b]) < smaller;
+    return 2 * static_cast<size_t>(opinions[a].shared[b]) < smaller;
 }
 
 /** Overlap of two map instances, in numbers of distinct voxels. */
