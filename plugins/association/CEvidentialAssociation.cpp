@@ -70,7 +70,7 @@ bool CEvidentialAssociation::isMatch(const Overlap& o) const
 
 double CEvidentialAssociation::quality(const Overlap& o) const
 {
-    return o.iov() * o.iom() * (0.5 + similarity(o.similarity));
+    return o.iov() + o.iom() + similarity(o.similarity);
 }
 
 std::vector<Assignment> CEvidentialAssociation::associate(

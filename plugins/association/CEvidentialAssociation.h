@@ -11,9 +11,9 @@ namespace voxeland
  * reach a threshold that goes linearly from tau_iov_strict (S_sem = 0) to tau_iov_relaxed (S_sem =
  * 1), or
  *   - it is a piece of the instance: IoM reaches tau_piece and S_sem piece_similarity.
- *  Among several instances the one with the greatest product of IoV, IoM and similarity gets it. Of
- *  the opinions of a frame that lie apart, only the best one gets an instance: detectors seldom see
- *  an object in pieces, but a mask that once covered two objects would tie them together forever.
+ *  Among several instances the one with the greatest sum of IoV, IoM and S_sem gets it. Of the
+ *  opinions of a frame that lie apart, only the best one gets an instance: detectors seldom see an
+ *  object in pieces, but a mask that once covered two objects would tie them together forever.
  */
 class CEvidentialAssociation : public CAssociationPolicy
 {
@@ -32,7 +32,7 @@ class CEvidentialAssociation : public CAssociationPolicy
     [[nodiscard]] double similarity(double measured) const;
     /** Whether the instance may get the opinion. */
     [[nodiscard]] bool isMatch(const Overlap& overlap) const;
-    /** Orders the instances an opinion matches. */
+    /** Orders the instances an opinion matches: IoV + IoM + S_sem. */
     [[nodiscard]] double quality(const Overlap& overlap) const;
 
     double m_tauIoU = 0.5, m_tauIoVStrict = 0.6, m_tauIoVRelaxed = 0.25;

@@ -39,13 +39,13 @@ using Ids = std::vector<instance_id_t>;
 TEST(EvidentialAssociation, DetectionsThatLieApartAreTwoObjects)
 {
     // Each lies within the instance and covers nearly half of it: the better one gets it.
-    EXPECT_EQ(TwoOpinions(9).assigned(95, 90, 1), (Ids{7, UNKNOWN_INSTANCE}));
-    EXPECT_EQ(TwoOpinions(9).assigned(90, 95, 1), (Ids{UNKNOWN_INSTANCE, 7}));
+    EXPECT_EQ(TwoOpinions(49).assigned(95, 90, 1), (Ids{7, UNKNOWN_INSTANCE}));
+    EXPECT_EQ(TwoOpinions(49).assigned(90, 95, 1), (Ids{UNKNOWN_INSTANCE, 7}));
 }
 
 TEST(EvidentialAssociation, DetectionsThatOverlapMayBeOneObjectTwice)
 {
-    EXPECT_EQ(TwoOpinions(10).assigned(95, 90, 1), (Ids{7, 7}));
+    EXPECT_EQ(TwoOpinions(50).assigned(95, 90, 1), (Ids{7, 7}));
 }
 
 TEST(EvidentialAssociation, APieceNeedsToLieWithinAndToBeSimilar)
@@ -53,4 +53,17 @@ TEST(EvidentialAssociation, APieceNeedsToLieWithinAndToBeSimilar)
     // IoV is below 0.5: too little for a visible part where categories differ so.
     EXPECT_EQ(TwoOpinions(100).assigned(80, 79, 0.3), (Ids{7, UNKNOWN_INSTANCE}));
     EXPECT_EQ(TwoOpinions(100).assigned(99, 80, 0.29), (Ids{UNKNOWN_INSTANCE, UNKNOWN_INSTANCE}));
+}
+
+TEST(EvidentialAssociation, WhatOverlapsLessButIsNamedAlikeIsPreferred)
+{
+    Opinion opinion;
+    opinion.voxels.resize(100);
+    OpinionOverlaps overlaps;
+    overlaps.opinion = &opinion;
+    overlaps.shared = {0};
+    overlaps.candidates = {{3, 90, 100, 150, 150, 100, 0.1},   // 0.6 + 0.9 + 0.1
+                           {8, 80, 100, 200, 200, 100, 0.5}};  // 0.4 + 0.8 + 0.5
+    const auto assignments = evidentialPolicy()->associate({overlaps}, SemanticVoxelMap());
+    EXPECT_EQ(assignments[0].instance, 8U);
 }
