@@ -27,7 +27,7 @@ struct LikelihoodOptions : public mrpt::config::CLoadableOptions
 {
     /** Standard deviation of d: of the sensor, the voxels and the map's poses together [m]. */
     double sigma_dist = 0.1;
-    /** Largest distance that tells something [m]. */
+    /** Largest distance that tells something, at most 99 voxels [m]. */
     double max_corr_distance = 0.3;
     /** Share of measured points that come from nothing in the map, in (0,1). */
     double outliers = 0.05;
