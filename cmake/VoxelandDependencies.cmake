@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Everything comes from the distribution's packages; nothing is downloaded at build time.
-foreach(module core math poses serialization io img obs opengl maps system tclap)
+foreach(module apps core math poses serialization io img obs opengl maps system tclap)
   find_package(mrpt-${module} REQUIRED)
 endforeach()
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs dnn)

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <regex>
 #include <set>
 
 using mrpt::system::VerbosityLevel;
@@ -47,14 +48,6 @@ class HelpOutput : public TCLAP::StdOutput
 
 HelpOutput helpOutput;
 
-/** The first line of a message: MRPT wraps its own in a title and the call stack. */
-std::string sentence(const std::exception& e)
-{
-    const auto* mrpts = dynamic_cast<const mrpt::ExceptionWithCallBackBase*>(&e);
-    const std::string text = mrpts != nullptr ? mrpts->originalWhat : e.what();
-    return text.substr(0, text.find('\n'));
-}
-
 int fail(const char* program, const std::exception& e, int exitCode)
 {
     std::cerr << program << ": " << sentence(e) << "\n";
@@ -90,6 +83,15 @@ VerbosityLevel CommandLine::verbosity() const
           std::pair(mrpt::system::LVL_WARN, "WARN"), std::pair(mrpt::system::LVL_ERROR, "ERROR")})
         if (name == text) return level;
     throw ConfigurationError("verbosity '" + name + "' is not one of " + LEVELS);
+}
+
+std::string sentence(const std::exception& e)
+{
+    const auto* mrpts = dynamic_cast<const mrpt::ExceptionWithCallBackBase*>(&e);
+    const std::string text = mrpts != nullptr ? mrpts->originalWhat : e.what();
+    // MRPT's own begin with a place in its sources: "file.cpp:57: [function] ".
+    static const std::regex place(R"(^\S+\.(cpp|h):\d+: \[[^\]]*\] )");
+    return std::regex_replace(text.substr(0, text.find('\n')), place, "");
 }
 
 void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs)

@@ -3,6 +3,7 @@
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 #include <mrpt/system/COutputLogger.h>
 
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ class CommandLine
     TCLAP::ValueArg<std::string> m_verbosity;
     TCLAP::SwitchArg m_quiet;
 };
+
+/** What an exception says, in one line: MRPT wraps its messages in a title and the call stack. */
+std::string sentence(const std::exception& e);
 
 /** Makes sure that no output would replace an input or another output. Empty names and files that
  * do not exist are passed over. \throws ConfigurationError naming the file */

@@ -23,6 +23,8 @@ Examples:
       another, larger apartment, with the ground truth for voxeland-eval
   voxeland-simulate -o small.rawlog --rooms 1 --frames 60 --width 320 --height 240 --embed
       small and quick; predictions inside the rawlog
+  voxeland-simulate -o robot.rawlog --robot --embed
+      with a 2D laser scanner and odometry, for icp-slam and pf-localization
 
 The same options always give the same apartment, images and predictions.
 Ground truth folder: ground_truth.ply (x y z instance category of all surfaces the camera has seen),
@@ -58,6 +60,12 @@ class Arguments
                     "Every object has the colour of its category, so that a program can tell from "
                     "an image what it shows",
                     parser),
+          m_robot("", "robot",
+                  "The camera rides on a robot with a laser scanner and odometry; poses are the "
+                  "robot's",
+                  parser),
+          m_sensoryFrames("", "sensory-frames",
+                          "Write actions and sensory frames, as rbpf-slam needs them", parser),
           m_embed("", "embed", "Predictions inside the rawlog instead of a sidecar", parser),
           m_images("", "images",
                    "external (default): images in a folder beside the rawlog; embedded: inside it",
@@ -78,6 +86,7 @@ class Arguments
         o.camera.height = m_height.getValue();
         o.depth.enabled = !m_exactDepth.getValue();
         o.drift.enabled = m_drift.getValue();
+        o.robot.enabled = m_robot.getValue();
         o.detector = DetectorOptions::preset(m_detector.getValue());
         o.detector.tracks = isFirst(m_tracks, "true", "false");
         return o;
@@ -89,6 +98,7 @@ class Arguments
         o.rawlog = m_output.getValue();
         o.rawlogOptions.embedInstances = m_embed.getValue();
         o.rawlogOptions.embedImages = isFirst(m_images, "embedded", "external");
+        o.rawlogOptions.sensoryFrames = m_sensoryFrames.getValue();
         o.rawlogOptions.comment = "simulated by voxeland-simulate, seed " +
                                   std::to_string(m_seed.getValue()) + ", detector " +
                                   m_detector.getValue();
@@ -115,7 +125,7 @@ class Arguments
     TCLAP::ValueArg<int> m_width, m_height;
     TCLAP::SwitchArg m_exactDepth, m_drift;
     TCLAP::ValueArg<std::string> m_tracks;
-    TCLAP::SwitchArg m_painted, m_embed;
+    TCLAP::SwitchArg m_painted, m_robot, m_sensoryFrames, m_embed;
     TCLAP::ValueArg<std::string> m_images;
     TCLAP::ValueArg<unsigned> m_threads;
 };

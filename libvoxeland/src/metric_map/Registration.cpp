@@ -16,7 +16,7 @@ void CVoxelandMap::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
     const std::string file = source.read_string(sectionNamePrefix + "_creationOpts", "config", "");
-    Ini all = file.empty() ? Ini() : Ini::fromFile(file);
+    Ini all = file.empty() ? Ini::fromText("", sectionNamePrefix + "_*") : Ini::fromFile(file);
     all.setFromPrefixedSections(source, sectionNamePrefix, MapperConfig::sections());
     ini = MapperConfig(all).reproducibleText();
     likelihoodOpts.loadFromConfigFile(source, sectionNamePrefix + "_likelihoodOpts");

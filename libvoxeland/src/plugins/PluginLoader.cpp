@@ -23,14 +23,6 @@ namespace voxeland
 {
 namespace
 {
-/** Folder of this very library. */
-fs::path libraryFolder()
-{
-    Dl_info info;
-    if (dladdr(reinterpret_cast<const void*>(&pluginSearchPath), &info) == 0) return {};
-    return fs::absolute(info.dli_fname).parent_path();
-}
-
 /** What there is, or "none". */
 std::string listed(const std::vector<std::string>& words)
 {
@@ -58,6 +50,13 @@ std::vector<std::string> classesOf(const mrpt::rtti::TRuntimeClassId* base)
 }
 }  // namespace
 
+std::string libraryFile()
+{
+    Dl_info info;
+    if (dladdr(reinterpret_cast<const void*>(&libraryFile), &info) == 0) return {};
+    return fs::absolute(info.dli_fname).string();
+}
+
 std::vector<std::string> pluginSearchPath(const std::string& iniFolder)
 {
     std::vector<std::string> folders;
@@ -67,7 +66,7 @@ std::vector<std::string> pluginSearchPath(const std::string& iniFolder)
         for (std::string folder; std::getline(list, folder, ':');)
             if (!folder.empty()) folders.push_back(folder);
     }
-    folders.push_back((libraryFolder() / "voxeland").string());
+    folders.push_back((fs::path(libraryFile()).parent_path() / "voxeland").string());
     return folders;
 }
 

@@ -32,8 +32,9 @@ RawlogFiles::RawlogFiles(const std::string& file) : rawlog(file)
 
 void RawlogFiles::useImages() const
 {
-    const fs::path folder = fs::is_directory(images) ? images : rawlog.parent_path();
-    mrpt::img::CImage::setImagesPathBase(fs::absolute(folder).string());
+    const fs::path folder =
+        fs::is_directory(images) ? fs::absolute(images) : fs::absolute(rawlog).parent_path();
+    mrpt::img::CImage::setImagesPathBase(folder.string());
 }
 
 StagedRawlog::StagedRawlog(const std::string& file) : m_target(file), m_part(partOf(m_target))

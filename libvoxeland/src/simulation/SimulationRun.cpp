@@ -51,8 +51,8 @@ class FramesAhead
 std::string tumLine(const SimulatedFrame& frame)
 {
     mrpt::math::CQuaternionDouble q;
-    mrpt::poses::CPose3D(frame.truePose).getAsQuaternion(q);
-    const auto& p = frame.truePose;
+    mrpt::poses::CPose3D(frame.robotPose).getAsQuaternion(q);
+    const auto& p = frame.robotPose;
     char line[200];
     std::snprintf(line, sizeof(line), "%.6f %.6f %.6f %.6f %.8f %.8f %.8f %.8f\n",
                   mrpt::Clock::toDouble(frame.timestamp), p.x, p.y, p.z, q.x(), q.y(), q.z(),

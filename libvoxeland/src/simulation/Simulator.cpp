@@ -4,7 +4,10 @@
 #include "voxeland/simulation/Apartment.h"
 #include "voxeland/simulation/DepthNoise.h"
 
+#include <mrpt/core/bits_math.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/poses/CPose3D.h>
 
 #include <algorithm>
@@ -25,13 +28,23 @@ enum Stream : uint64_t
     DRIFT,
     RECOGNITION,
     DEPTH,
-    DETECTION
+    DETECTION,
+    ODOMETRY,
+    LASER
 };
 
 const SimulationOptions& checked(const SimulationOptions& options)
 {
     options.check();
     return options;
+}
+
+/** The poses on the floor below, level, of a robot that carries the camera. */
+std::vector<mrpt::math::TPose3D> carriers(const std::vector<mrpt::math::TPose3D>& cameras)
+{
+    std::vector<mrpt::math::TPose3D> result;
+    for (const auto& camera : cameras) result.emplace_back(camera.x, camera.y, 0, camera.yaw, 0, 0);
+    return result;
 }
 
 mrpt::img::TCamera mrptCamera(const PinholeCamera& camera)
@@ -49,8 +62,11 @@ Simulator::Simulator(const SimulationOptions& o)
       m_scene(makeApartment(o.scene, Random(o.seed, FURNITURE))),
       m_camera(o.camera),
       m_truePoses(CameraPath(m_scene, o.camera, Random(o.seed, PATH)).poses()),
-      m_reportedPoses(drifting(m_truePoses, o.drift, Random(o.seed, DRIFT))),
+      m_robotPoses(o.robot.enabled ? carriers(m_truePoses) : m_truePoses),
+      m_reportedPoses(drifting(m_robotPoses, o.drift, Random(o.seed, DRIFT))),
+      m_odometry(drifting(m_robotPoses, o.robot.odometry, Random(o.seed, ODOMETRY))),
       m_renderer(m_scene, m_camera),
+      m_laser(m_scene, o.robot),
       m_detector(m_scene, m_camera, o.detector, Random(o.seed, RECOGNITION))
 {
 }
@@ -61,7 +77,13 @@ SimulatedFrame Simulator::frame(size_t index) const
     const double time = START_TIME + static_cast<double>(index) / m_options.camera.frameRate;
     frame.timestamp = mrpt::Clock::fromDouble(time);
     frame.truePose = m_truePoses.at(index);
+    frame.robotPose = m_robotPoses[index];
     frame.reportedPose = m_reportedPoses[index];
+    if (m_options.robot.enabled) {
+        frame.odometry = mrpt::math::TPose2D(m_odometry[index]);
+        Random noise(m_options.seed, LASER, index);
+        frame.laser = m_laser.measure(mrpt::math::TPose2D(frame.robotPose), noise);
+    }
     frame.exact = m_renderer.render(frame.truePose);
     Random noise(m_options.seed, DEPTH, index);
     frame.depth = measureDepth(frame.exact, m_camera, m_options.depth, noise);
@@ -70,9 +92,37 @@ SimulatedFrame Simulator::frame(size_t index) const
     return frame;
 }
 
+std::vector<std::shared_ptr<mrpt::obs::CObservation>> Simulator::robotsOwn(
+    const SimulatedFrame& frame) const
+{
+    const RobotOptions& options = m_options.robot;
+    if (!options.enabled) return {};
+    auto odometry = mrpt::obs::CObservationOdometry::Create();
+    odometry->timestamp = frame.timestamp;
+    odometry->sensorLabel = "ODOMETRY";
+    odometry->odometry = mrpt::poses::CPose2D(frame.odometry);
+
+    auto laser = mrpt::obs::CObservation2DRangeScan::Create();
+    laser->timestamp = frame.timestamp;
+    laser->sensorLabel = "LASER";
+    laser->sensorPose = mrpt::poses::CPose3D(0, 0, options.laserHeight, 0, 0, 0);
+    laser->aperture = mrpt::DEG2RAD(options.laserAperture);
+    laser->maxRange = options.laserMaxRange;
+    laser->stdError = options.laserSigma;
+    laser->rightToLeft = true;
+    laser->resizeScan(frame.laser.size());
+    for (size_t i = 0; i < frame.laser.size(); ++i) {
+        const bool valid = frame.laser[i] > 0;
+        laser->setScanRange(i, valid ? frame.laser[i] : options.laserMaxRange);
+        laser->setScanRangeValidity(i, valid);
+    }
+    return {odometry, laser};
+}
+
 RgbdRecord Simulator::record(const SimulatedFrame& frame) const
 {
     RgbdRecord record;
+    record.others = robotsOwn(frame);
     auto scan = mrpt::obs::CObservation3DRangeScan::Create();
     scan->timestamp = frame.timestamp;
     scan->sensorLabel = SENSOR;
@@ -91,6 +141,9 @@ RgbdRecord Simulator::record(const SimulatedFrame& frame) const
                     scan->intensityImage.ptrLine<uint8_t>(static_cast<unsigned>(row)));
     scan->cameraParams = scan->cameraParamsIntensity = mrptCamera(m_camera);
     scan->relativePoseIntensityWRTDepth = mrpt::poses::CPose3D(0, 0, 0, -M_PI / 2, 0, -M_PI / 2);
+    if (m_options.robot.enabled)
+        scan->sensorPose =
+            mrpt::poses::CPose3D(frame.truePose) - mrpt::poses::CPose3D(frame.robotPose);
     record.scan = scan;
 
     record.robotPose = std::make_shared<mrpt::math::TPose3D>(frame.reportedPose);

@@ -9,6 +9,9 @@
 
 namespace voxeland
 {
+/** Path of the file this library was loaded from. */
+std::string libraryFile();
+
 /** Folders where plugins are looked for, first to last: that of the INI, those of the environment
  * variable VOXELAND_PLUGIN_PATH (separated by ':'), and `voxeland` beside this library, installed
  * or in its build tree. \param iniFolder empty: there is no INI */

@@ -4,9 +4,11 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace mrpt::obs
 {
+class CObservation;
 class CObservation3DRangeScan;
 }
 
@@ -19,6 +21,8 @@ struct RgbdRecord
     /** Pose of the robot in the world; the scan's sensorPose is relative to it. Null: unknown. */
     std::shared_ptr<mrpt::math::TPose3D> robotPose;
     CObservationInstances::Ptr instances;  //!< predictions, or null
+    /** What other sensors say; in the rawlog it comes before the scan, odometry first. */
+    std::vector<std::shared_ptr<mrpt::obs::CObservation>> others;
 };
 
 /** Writes RGB-D frames, poses and predictions as a stock MRPT rawlog (observations format, gz).
@@ -34,7 +38,11 @@ class RgbdRawlogWriter
         bool embedInstances = false;
         /** true: images inside the rawlog; false: in the folder NAME_Images, loaded when needed. */
         bool embedImages = false;
-        /** Free text stored as the rawlog's first entry (CObservationComment); empty: none. */
+        /** true: a frame's observations are a sensory frame, its odometry an action before it;
+         *  false: each observation is an entry of its own. */
+        bool sensoryFrames = false;
+        /** Free text stored as the rawlog's first entry (CObservationComment), unless it
+         *  consists of sensory frames; empty: none. */
         std::string comment;
     };
 

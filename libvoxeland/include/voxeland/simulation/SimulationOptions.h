@@ -55,6 +55,20 @@ struct DriftOptions
     float rotation = 0.25F;     //!< standard deviation of the heading after 1 m of way [deg]
 };
 
+/** A robot on wheels that carries the camera on a mast which pans, tilts and lifts it, and has a
+ *  level laser scanner. The poses in the rawlog are the robot's: on the floor, heading where the
+ *  camera looks. */
+struct RobotOptions
+{
+    bool enabled = false;  //!< false: the camera is all there is, and the poses are its own
+    DriftOptions odometry{true, 0.03F, 1.0F};  //!< errors of the wheels' odometry
+    float laserHeight = 0.3F;                  //!< over the floor [m]
+    float laserAperture = 270;                 //!< [deg], centred on the robot's heading
+    int laserRays = 541;
+    float laserMaxRange = 10;  //!< [m]
+    float laserSigma = 0.01F;  //!< standard deviation of a range [m]
+};
+
 /** How wrong the simulated detector is. All probabilities are per object and frame unless a
  *  comment says otherwise; lengths in the image refer to one 640 pixels wide. */
 struct DetectorOptions
@@ -98,6 +112,7 @@ struct SimulationOptions
     CameraOptions camera;
     DepthNoiseOptions depth;
     DriftOptions drift;
+    RobotOptions robot;
     DetectorOptions detector;
     float groundTruthSpacing = 0.02F;  //!< between points of the ground truth, at most [m]
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "voxeland/rawlogs/RgbdRawlogWriter.h"
 #include "voxeland/simulation/CameraPath.h"
+#include "voxeland/simulation/LaserScanner.h"
 #include "voxeland/simulation/NoisyDetector.h"
 #include "voxeland/simulation/SceneRenderer.h"
 
@@ -16,7 +17,10 @@ struct SimulatedFrame
 {
     mrpt::Clock::time_point timestamp;
     mrpt::math::TPose3D truePose;      //!< of the camera, x forward, z up
-    mrpt::math::TPose3D reportedPose;  //!< the same with the localization's drift
+    mrpt::math::TPose3D robotPose;     //!< of what carries the camera; without a robot, the same
+    mrpt::math::TPose3D reportedPose;  //!< the robot's, with the localization's drift
+    mrpt::math::TPose2D odometry;      //!< the robot's, as its wheels tell it
+    std::vector<float> laser;          //!< see LaserScanner; empty without a robot
     RenderedView exact;                //!< what is really there
     std::vector<uint16_t> depth;       //!< what the depth camera measures [mm]; 0: nothing
     std::vector<InstancePrediction> predictions;  //!< what the detector says
@@ -38,15 +42,21 @@ class Simulator
 
     /** Computes a frame; safe to call from several threads. \param index in [0, size()) */
     [[nodiscard]] SimulatedFrame frame(size_t index) const;
-    /** The frame as MRPT observations: scan "RGBD", predictions "RGBD_instances". */
+    /** The frame as MRPT observations: scan "RGBD", predictions "RGBD_instances"; of a robot also
+     *  "LASER" and "ODOMETRY". */
     [[nodiscard]] RgbdRecord record(const SimulatedFrame& frame) const;
 
  private:
+    /** What the robot's own sensors say. */
+    [[nodiscard]] std::vector<std::shared_ptr<mrpt::obs::CObservation>> robotsOwn(
+        const SimulatedFrame& frame) const;
+
     SimulationOptions m_options;
     Scene m_scene;
     PinholeCamera m_camera;
-    std::vector<mrpt::math::TPose3D> m_truePoses, m_reportedPoses;
+    std::vector<mrpt::math::TPose3D> m_truePoses, m_robotPoses, m_reportedPoses, m_odometry;
     SceneRenderer m_renderer;
+    LaserScanner m_laser;
     NoisyDetector m_detector;
 };
 }  // namespace voxeland::simulation

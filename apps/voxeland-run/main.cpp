@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Runs MRPT's programs with Voxeland's classes. */
+#include "RawlogEntries.h"
+#include "common/CommandLine.h"
+#include "voxeland/errors.h"
+#include "voxeland/metric_map/CVoxelandMap.h"
+#include "voxeland/plugins/PluginLoader.h"
+
+#include <mrpt/apps/ICP_SLAM_App.h>
+#include <mrpt/apps/MonteCarloLocalization_App.h>
+#include <mrpt/apps/RBPF_SLAM_App.h>
+#include <mrpt/config/CConfigFile.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <regex>
+#include <unistd.h>
+
+using namespace voxeland;
+
+namespace
+{
+const char* const DESCRIPTION =
+    R"(Runs one of MRPT's programs so that it knows Voxeland's maps, predictions and plugins.
+
+  voxeland-run icp-slam icp-slam.ini robot.rawlog
+  voxeland-run rbpf-slam rbpf-slam.ini robot.rawlog
+  voxeland-run pf-localization pf-localization.ini robot.rawlog
+  voxeland-run observations2map observations2map.ini robot.simplemap map
+  voxeland-run rawlog-edit --info -i robot.rawlog
+  voxeland-run RawLogViewer robot.rawlog
+
+icp-slam, rbpf-slam and pf-localization are MRPT's own application classes, run by this program. It
+also finds what lies beside the rawlog: external images, and predictions in NAME.instances.rawlog.
+Any other program is started in this one's place with libvoxeland preloaded, and its exit code is its
+own. INI files to start from are in share/config/mrpt. Options of this program come before the name of
+the other one.
+Exit codes: 0 done, 1 usage or configuration, 2 plugin, 3 input, or MRPT's application failed,
+5 output.)";
+
+/** One of MRPT's applications, reading rawlogs with what lies beside them.
+ *  \tparam WANTS_FRAMES whether it would crash on a rawlog without actions and sensory frames */
+template <class Application, bool WANTS_FRAMES = false>
+class WithVoxeland : public Application
+{
+ protected:
+    bool impl_get_next_observations(mrpt::obs::CActionCollection::Ptr& actions,
+                                    mrpt::obs::CSensoryFrame::Ptr& frame,
+                                    mrpt::obs::CObservation::Ptr& observation) override
+    {
+        if (!m_entries) m_entries = std::make_unique<apps::RawlogEntries>(this->m_rawlogFileName);
+        const auto entry = m_entries->next();
+        if (!entry) return false;
+        if (WANTS_FRAMES && !entry->frame)
+            throw InputError(this->m_rawlogFileName +
+                             " consists of single observations; this application needs actions and "
+                             "sensory frames (RawLogViewer converts it)");
+        actions = entry->actions;
+        frame = entry->frame;
+        observation = entry->observation;
+        return true;
+    }
+
+ private:
+    std::unique_ptr<apps::RawlogEntries> m_entries;
+};
+
+/** Checks the Voxeland maps that an INI defines, before MRPT does: what is thrown inside its
+ *  applications arrives as an exception of its own. \throws ConfigurationError, PluginError */
+void checkMaps(const std::string& ini)
+{
+    const mrpt::config::CConfigFile config(ini);
+    const std::regex ofAMap("(.*_(voxeland::)?C?voxelandMap_[0-9]+)_.*", std::regex::icase);
+    std::vector<std::string> sections;
+    config.getAllSections(sections);
+    std::smatch parts;
+    for (const std::string& section : sections)
+        if (std::regex_match(section, parts, ofAMap))
+            CVoxelandMap::TMapDefinition().loadFromConfigFile(config, parts[1]);
+}
+
+/** \param arguments the application's name and arguments, as its main() would get them */
+template <class Application>
+int runApplication(Application& application, mrpt::system::VerbosityLevel verbosity, int count,
+                   char** arguments)
+{
+    application.setMinLoggingLevel(verbosity);
+    try {
+        application.initialize(count, arguments);
+    } catch (const std::exception& e) {
+        throw ConfigurationError(apps::sentence(e));
+    }
+    checkMaps(arguments[1]);
+    application.run();
+    return 0;
+}
+
+/** Becomes another program. \throws ConfigurationError if that is not possible */
+[[noreturn]] void become(char** command)
+{
+    std::string preload = libraryFile();
+    if (const char* others = std::getenv("LD_PRELOAD")) preload += std::string(":") + others;
+    setenv("LD_PRELOAD", preload.c_str(), 1);
+    execvp(command[0], command);
+    throw ConfigurationError("cannot run '" + std::string(command[0]) +
+                             "': " + std::strerror(errno) +
+                             "; MRPT's programs are in the package "
+                             "mrpt-apps");
+}
+
+/** Number of the first argument that is not an option of this program, or the value of one. */
+int beginOfCommand(int argc, char** argv)
+{
+    int i = 1;
+    while (i < argc && argv[i][0] == '-') {
+        const std::string option = argv[i++];
+        if (option == "-v" || option == "--verbosity") ++i;
+    }
+    return std::min(i, argc);
+}
+
+int run(int argc, char** argv)
+{
+    const int begin = beginOfCommand(argc, argv);
+    apps::CommandLine commandLine(DESCRIPTION);
+    if (!commandLine.parse(begin, argv)) return 0;
+    if (begin == argc) throw ConfigurationError("name a program of MRPT to run (see --help)");
+    const int count = argc - begin;
+    char** const command = argv + begin;
+    const std::string name = command[0];
+    // MRPT's applications warn about every frame that is not a laser scan.
+    const auto level = commandLine.quiet() ? mrpt::system::LVL_ERROR : commandLine.verbosity();
+    if (name == "icp-slam") {
+        WithVoxeland<mrpt::apps::ICP_SLAM_App_Rawlog> application;
+        application.quits_with_esc_key = false;
+        return runApplication(application, level, count, command);
+    }
+    if (name == "rbpf-slam") {
+        WithVoxeland<mrpt::apps::RBPF_SLAM_App_Rawlog, true> application;
+        application.quits_with_esc_key = false;
+        return runApplication(application, level, count, command);
+    }
+    if (name == "pf-localization") {
+        WithVoxeland<mrpt::apps::MonteCarloLocalization_Rawlog> application;
+        application.allow_quit_on_esc_key = false;
+        return runApplication(application, level, count, command);
+    }
+    become(command);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return apps::runProgram("voxeland-run", [&] { return run(argc, argv); });
+}
