@@ -13,7 +13,6 @@
 #include "voxeland/plugins/PluginLoader.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
-#include <filesystem>
 #include <iostream>
 #include <limits>
 
@@ -163,10 +162,9 @@ int makeMap(Arguments& arguments)
     if (arguments.every.getValue() == 0 || arguments.from.getValue() > arguments.to.getValue())
         throw ConfigurationError("--every must be at least 1 and --from not beyond --to");
     const std::string& input = arguments.input.getValue();
-    const bool isRawlog = std::filesystem::path(input).extension() == ".rawlog";
     apps::checkOutputs(
         {arguments.output.getValue(), arguments.timing.getValue(), arguments.trace.getValue()},
-        {input, isRawlog ? RawlogFiles(input).sidecar.string() : "", arguments.poses.getValue(),
+        {input, RawlogFiles(input).sidecar.string(), arguments.poses.getValue(),
          arguments.config.getValue()});
     map->setConfig(config);
     const AtomicFile checkedOutput(arguments.output.getValue());  // complain before the work

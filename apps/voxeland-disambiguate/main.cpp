@@ -97,10 +97,9 @@ void checkArguments(Arguments& arguments)
     if (!arguments.output.isSet() && !arguments.dryRun.isSet())
         throw ConfigurationError("give a map to write with -o, or --dry-run (see --help)");
     const std::string& input = arguments.input.getValue();
-    const bool isRawlog = std::filesystem::path(input).extension() == ".rawlog";
     apps::checkOutputs(
         {arguments.output.getValue(), arguments.report.getValue()},
-        {arguments.map.getValue(), input, isRawlog ? RawlogFiles(input).sidecar.string() : "",
+        {arguments.map.getValue(), input, asks ? RawlogFiles(input).sidecar.string() : "",
          arguments.config.getValue()});
     if (arguments.output.isSet())
         const AtomicFile checked(arguments.output.getValue());  // complain before the work

@@ -16,7 +16,6 @@ namespace voxeland::apps
 {
 RawlogEntries::RawlogEntries(const std::string& file) : m_rawlog(file)
 {
-    if (fs::path(file).extension() != ".rawlog") return;  // nothing can be told from its name
     const RawlogFiles files(file);
     files.useImages();
     if (fs::exists(files.sidecar))

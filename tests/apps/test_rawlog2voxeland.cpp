@@ -72,6 +72,14 @@ class Rawlog2voxeland : public ::testing::Test
 };
 }  // namespace
 
+TEST_F(Rawlog2voxeland, TakesARawlogOfTheCurrentFolder)
+{
+    write(smallFrames(3));
+    const auto result = runProgramIn(m_folder.path().string(), "rawlog2voxeland",
+                                     {"-i", "in.rawlog", "-o", "out.voxeland", "--quiet"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+}
+
 TEST_F(Rawlog2voxeland, MakesAMapThatHoldsItsInstances)
 {
     write(smallFrames(12));

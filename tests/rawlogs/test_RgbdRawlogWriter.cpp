@@ -7,7 +7,9 @@
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationComment.h>
+#include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/obs/CRawlog.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <csignal>
@@ -153,6 +155,50 @@ TEST(RgbdRawlogWriter, embedsPredictionsAndImages)
     ASSERT_TRUE(comment);
     EXPECT_EQ(comment->text, "made by a test");
     expectScans(folder.file("k.rawlog"), "nowhere");
+}
+
+TEST(RgbdRawlogWriter, writesActionsAndSensoryFrames)
+{
+    const TemporaryFolder folder;
+    RgbdRawlogWriter::Options options;
+    options.embedInstances = options.sensoryFrames = true;
+    options.comment = "would be an entry that is no pair";
+    RgbdRawlogWriter writer(folder.file("k.rawlog"), options);
+    for (int i = 0; i < 3; ++i) {
+        RgbdRecord record = makeRecord(i);
+        const auto odometry = mrpt::obs::CObservationOdometry::Create();
+        odometry->odometry = mrpt::poses::CPose2D(5 + 0.5 * i, 2, 0);
+        record.others.push_back(odometry);
+        writer.write(record);
+    }
+    writer.close();
+
+    mrpt::obs::CRawlog rawlog;
+    ASSERT_TRUE(rawlog.loadFromRawLogFile(folder.file("k.rawlog")));
+    ASSERT_EQ(rawlog.size(), 6U);
+    for (size_t i = 0; i < 3; ++i) {
+        ASSERT_EQ(rawlog.getType(2 * i), mrpt::obs::CRawlog::etActionCollection);
+        ASSERT_EQ(rawlog.getType(2 * i + 1), mrpt::obs::CRawlog::etSensoryFrame);
+        const auto movement = rawlog.getAsAction(2 * i)->getBestMovementEstimation();
+        EXPECT_NEAR(movement->poseChange->getMeanVal().x(), i == 0 ? 0 : 0.5, 1e-9);
+        const auto frame = rawlog.getAsObservations(2 * i + 1);
+        ASSERT_EQ(frame->size(), 3U);
+        EXPECT_TRUE(frame->getObservationByClass<mrpt::obs::CObservationRobotPose>());
+        EXPECT_TRUE(frame->getObservationByClass<mrpt::obs::CObservation3DRangeScan>());
+        EXPECT_TRUE(frame->getObservationByClass<CObservationInstances>());
+    }
+}
+
+TEST(RgbdRawlogWriter, otherSensorsComeFirst)
+{
+    const TemporaryFolder folder;
+    RgbdRawlogWriter writer(folder.file("k.rawlog"), {});
+    RgbdRecord record = makeRecord(0, false);
+    record.others.push_back(mrpt::obs::CObservationOdometry::Create());
+    writer.write(record);
+    writer.close();
+    EXPECT_EQ(classNames(folder.file("k.rawlog")),
+              (std::vector<std::string>{"mrpt::obs::CObservationOdometry", POSE, SCAN}));
 }
 
 TEST(RgbdRawlogWriter, partsOfAFrameShareItsTimestamp)

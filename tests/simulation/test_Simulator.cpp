@@ -5,7 +5,10 @@
 #include "voxeland/simulation/Simulator.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationOdometry.h>
 
 #include <map>
 
@@ -115,6 +118,60 @@ TEST(Simulator, DepthBecomesPointsOnTheTrueSurfaces)
                     part.solid.contains(point, -0.003F) && !part.solid.contains(point, 0.003F);
             EXPECT_TRUE(onSurface) << row << " " << column;
         }
+}
+
+TEST(Simulator, ARobotCarriesTheSameCameraAlongTheSameWay)
+{
+    SimulationOptions options = small(1);
+    const Simulator without(options);
+    options.robot.enabled = true;
+    const Simulator simulator(options);
+    const auto frame = simulator.frame(5), alone = without.frame(5);
+    EXPECT_EQ(frame.truePose, alone.truePose);
+    EXPECT_TRUE(frame.depth == alone.depth);
+    const auto record = simulator.record(frame);
+    const mrpt::math::TPose3D& robot = *record.robotPose;
+    EXPECT_EQ(robot,
+              mrpt::math::TPose3D(alone.truePose.x, alone.truePose.y, 0, alone.truePose.yaw, 0, 0));
+    const auto camera = mrpt::poses::CPose3D(robot) + record.scan->sensorPose;
+    EXPECT_NEAR((camera - mrpt::poses::CPose3D(frame.truePose)).norm(), 0, 1e-9);
+    EXPECT_NEAR(camera.pitch(), frame.truePose.pitch, 1e-9);
+    EXPECT_NEAR(camera.roll(), frame.truePose.roll, 1e-9);
+    EXPECT_TRUE(without.record(alone).others.empty());
+}
+
+TEST(Simulator, ARobotsLaserHitsTrueSurfacesAndItsOdometryDriftsAway)
+{
+    SimulationOptions options = small(1);
+    options.robot.enabled = true;
+    options.robot.laserSigma = 0;
+    const Simulator simulator(options);
+    const auto record = simulator.record(simulator.frame(6));
+    ASSERT_EQ(record.others.size(), 2U);
+    const auto odometry =
+        std::dynamic_pointer_cast<mrpt::obs::CObservationOdometry>(record.others[0]);
+    ASSERT_TRUE(odometry);
+    const double drift =
+        odometry->odometry.distanceTo(mrpt::poses::CPose2D(mrpt::math::TPose2D(*record.robotPose)));
+    EXPECT_GT(drift, 0);
+    EXPECT_LT(drift, 0.5);
+
+    const auto laser =
+        std::dynamic_pointer_cast<mrpt::obs::CObservation2DRangeScan>(record.others[1]);
+    ASSERT_TRUE(laser);
+    mrpt::maps::CSimplePointsMap points;
+    points.insertionOptions.minDistBetweenLaserPoints = 0;
+    points.loadFromRangeScan(*laser, mrpt::poses::CPose3D(*record.robotPose));
+    EXPECT_GT(points.size(), 500U);
+    for (size_t i = 0; i < points.size(); i += 7) {
+        mrpt::math::TPoint3D at;
+        points.getPoint(i, at);
+        const Vector3 point = at.cast<float>();
+        bool onSurface = false;
+        for (const auto& part : simulator.scene().parts())
+            onSurface |= part.solid.contains(point, -0.001F) && !part.solid.contains(point, 0.001F);
+        EXPECT_TRUE(onSurface) << i;
+    }
 }
 
 TEST(Simulator, RefusesNonsense)

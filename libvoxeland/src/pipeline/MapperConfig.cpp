@@ -24,7 +24,8 @@ void declare(OptionList& list, InputOptions& o)
              "Sensor label of the predictions; empty: any CObservationInstances");
     list.add(
         "pose_source", o.pose_source,
-        "Where robot poses come from: robot_pose | odometry | actions | simplemap | tum:<file>");
+        "Where robot poses come from: robot_pose | odometry | actions | tum:<file>; those of a "
+        "simplemap are its keyframes', unless tum:<file>");
     list.add("max_pose_gap", o.max_pose_gap, {0, INF},
              "Longest time between two poses to interpolate over [s]");
     list.add("prediction_wait", o.prediction_wait, {0, 1000},

@@ -3,12 +3,16 @@
 
 namespace voxeland
 {
+bool isTumPoseSource(const std::string& source)
+{
+    return source.rfind(TUM_POSES, 0) == 0;
+}
+
 std::string problemOfPoseSource(const std::string& source)
 {
-    for (const char* word : {"robot_pose", "odometry", "actions", "simplemap"})
+    for (const char* word : {"robot_pose", "odometry", "actions", SIMPLEMAP_POSES})
         if (source == word) return "";
-    const std::string tum = TUM_POSES;
-    if (source.rfind(tum, 0) == 0 && source != tum) return "";
+    if (isTumPoseSource(source) && source != TUM_POSES) return "";
     return "[voxeland] pose_source = '" + source +
            "' is not one of robot_pose, odometry, actions, simplemap, tum:<file>";
 }

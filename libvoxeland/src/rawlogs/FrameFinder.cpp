@@ -16,7 +16,6 @@ namespace voxeland
 FrameFinder::FrameFinder(const std::string& file, const InputOptions& options, Times wanted)
     : m_options(options), m_wanted(std::move(wanted)), m_input(std::make_unique<GzInputFile>(file))
 {
-    if (fs::path(file).extension() != ".rawlog") return;  // a simplemap holds everything
     const RawlogFiles files(file);
     files.useImages();
     if (!fs::exists(files.sidecar)) return;

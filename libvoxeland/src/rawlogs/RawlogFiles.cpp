@@ -23,8 +23,6 @@ RawlogFiles partOf(const RawlogFiles& target)
 
 RawlogFiles::RawlogFiles(const std::string& file) : rawlog(file)
 {
-    if (rawlog.extension() != EXTENSION)
-        throw ConfigurationError("the name of the rawlog " + file + " must end in " + EXTENSION);
     const std::string stem = fs::path(rawlog).replace_extension().string();
     sidecar = stem + ".instances" + EXTENSION;
     images = stem + "_Images";
@@ -39,6 +37,8 @@ void RawlogFiles::useImages() const
 
 StagedRawlog::StagedRawlog(const std::string& file) : m_target(file), m_part(partOf(m_target))
 {
+    if (m_target.rawlog.extension() != EXTENSION)
+        throw ConfigurationError("the name of the rawlog " + file + " must end in " + EXTENSION);
     if (!fs::exists(m_target.rawlog) && fs::exists(m_target.images))
         throw OutputError("the folder " + m_target.images.string() +
                           " is in the way of the images of " + file +

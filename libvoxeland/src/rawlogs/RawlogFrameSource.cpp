@@ -30,9 +30,9 @@ PoseTrack initialPoses(const InputOptions& options)
     const std::string& source = options.pose_source;
     const std::string problem = problemOfPoseSource(source);
     if (!problem.empty()) throw ConfigurationError(problem);
-    const std::string tum = TUM_POSES;
-    if (source.rfind(tum, 0) != 0) return PoseTrack(options.max_pose_gap);
-    return PoseTrack::fromTumFile(source.substr(tum.size()), options.max_pose_gap);
+    if (!isTumPoseSource(source)) return PoseTrack(options.max_pose_gap);
+    return PoseTrack::fromTumFile(source.substr(std::string(TUM_POSES).size()),
+                                  options.max_pose_gap);
 }
 
 /** Increment of the robot's pose in an action; none if it holds no movement. */
@@ -54,7 +54,6 @@ RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions
       m_input(std::make_unique<GzInputFile>(file)),
       m_assembler(options.prediction_wait, initialPoses(options))
 {
-    if (fs::path(file).extension() != ".rawlog") return;  // a simplemap holds everything
     const RawlogFiles files(file);
     if (fs::exists(files.sidecar))
         m_sidecar = std::make_unique<GzInputFile>(files.sidecar.string());
@@ -109,9 +108,13 @@ void RawlogFrameSource::take(const mrpt::serialization::CSerializable::Ptr& obje
             takeObservation(o);
         }
     } else if (const auto map = std::dynamic_pointer_cast<mrpt::maps::CSimpleMap>(object)) {
+        // The keyframes' poses hold, not those that a sensor told when the simplemap was made.
+        std::string& source = m_options.pose_source;
+        if (!isTumPoseSource(source)) source = SIMPLEMAP_POSES;
         for (const auto& keyframe : *map) {
             for (const auto& o : *keyframe.sf) {
-                m_assembler.addPose(o->timestamp, keyframe.pose->getMeanVal().asTPose());
+                if (source == SIMPLEMAP_POSES)
+                    m_assembler.addPose(o->timestamp, keyframe.pose->getMeanVal().asTPose());
                 takeObservation(o);
             }
         }

@@ -5,17 +5,15 @@
 
 namespace voxeland
 {
-/** A rawlog and what may lie beside it. */
+/** A rawlog, or a simplemap, and what may lie beside it. */
 struct RawlogFiles
 {
-    /** \throws ConfigurationError unless the name ends in .rawlog */
     explicit RawlogFiles(const std::string& file);
 
-    /** Makes MRPT look for the rawlog's external images where they are: in `images`, or beside the
-     * rawlog. MRPT keeps one such path for the whole process. */
+    /** Makes MRPT look for external images where they are: in `images`, or beside the rawlog. MRPT keeps one such path for the whole process. */
     void useImages() const;
 
-    std::filesystem::path rawlog;   //!< NAME.rawlog
+    std::filesystem::path rawlog;   //!< NAME.rawlog or NAME.simplemap
     std::filesystem::path sidecar;  //!< NAME.instances.rawlog: predictions
     std::filesystem::path images;   //!< NAME_Images: folder of external images
 };
