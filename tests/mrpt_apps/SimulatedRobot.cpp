@@ -65,19 +65,20 @@ std::string SimulatedRobot::makeSimplemap(const std::string& rawlog, const std::
 {
     GzInputFile in(rawlog);
     mrpt::maps::CSimpleMap map;
-    mrpt::poses::CPose3DPDFGaussian pose;
-    CSensoryFrame keyframe;
+    auto pose = mrpt::poses::CPose3DPDFGaussian::Create();
+    auto keyframe = CSensoryFrame::Create();
     const auto complete = [&] {
-        if (!keyframe.empty()) map.insert(pose, keyframe);
-        keyframe.clear();
+        if (!keyframe->empty()) map.insert(pose, keyframe);
+        keyframe = CSensoryFrame::Create();
     };
     while (const auto object = in.readObject()) {
         const auto observation = std::dynamic_pointer_cast<CObservation>(object);
         if (const auto told = std::dynamic_pointer_cast<CObservationRobotPose>(object)) {
             complete();
-            pose.mean = told->pose.mean;
+            pose = mrpt::poses::CPose3DPDFGaussian::Create();
+            pose->mean = told->pose.mean;
         } else if (observation->sensorLabel.rfind("RGBD", 0) == 0) {
-            keyframe.insert(observation);
+            keyframe->insert(observation);
         }
     }
     complete();
