@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How MRPT's programs create a CVoxelandMap from their INI, and how it is serialized. */
 #include "voxeland/metric_map/CVoxelandMap.h"
+#include "voxeland/metric_map/MapFile.h"
 
 #include <mrpt/serialization/CArchive.h>
 
@@ -15,8 +16,16 @@ CVoxelandMap::TMapDefinition::TMapDefinition() = default;
 void CVoxelandMap::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
-    const std::string file = source.read_string(sectionNamePrefix + "_creationOpts", "config", "");
-    Ini all = file.empty() ? Ini::fromText("", sectionNamePrefix + "_*") : Ini::fromFile(file);
+    const std::string creation = sectionNamePrefix + "_creationOpts";
+    load = source.read_string(creation, "load", "");
+    const std::string file = source.read_string(creation, "config", "");
+    Ini all;
+    if (!file.empty())
+        all = Ini::fromFile(file);
+    else if (!load.empty())
+        all = Ini::fromText(loadMap(load)->configText(), load);
+    else
+        all = Ini::fromText("", sectionNamePrefix + "_*");
     all.setFromPrefixedSections(source, sectionNamePrefix, MapperConfig::sections());
     ini = MapperConfig(all).reproducibleText();
     likelihoodOpts.loadFromConfigFile(source, sectionNamePrefix + "_likelihoodOpts");
@@ -33,7 +42,9 @@ MapFactoryResult CVoxelandMap::internal_CreateFromMapDefinition(
 {
     const auto& d = dynamic_cast<const CVoxelandMap::TMapDefinition&>(definition);
     const MapperConfig config(Ini::fromText(d.ini, "the map's definition"));
-    auto map = std::make_unique<CVoxelandMap>(config);
+    auto map = std::make_unique<CVoxelandMap>();
+    if (!d.load.empty()) *map = std::move(*loadMap(d.load));
+    map->setConfig(config);
     map->likelihoodOptions = d.likelihoodOpts;
     return mapFactoryResult(std::move(map));
 }

@@ -20,7 +20,9 @@ namespace voxeland
 {
 /** The semantic voxel map as MRPT knows maps: owns the map and what fills it. MRPT's programs make
  * one where their INI says `voxelandMap_count = 1`; section `<prefix>_voxelandMap_00_creationOpts`
- * may name a whole Voxeland INI (`config = file.ini`), and sections `<prefix>_voxelandMap_00_map`,
+ * may name a map to begin with (`load = file.voxeland`) and a whole Voxeland INI (`config =
+ * file.ini`; without it, that of the loaded map or the defaults), and sections
+ * `<prefix>_voxelandMap_00_map`,
  * `..._converter` and so on set single keys.
  *
  *  Depth scans and predictions come in separate insertObservation() calls, in either order; a scan
@@ -120,6 +122,7 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** @} */
 
     MAP_DEFINITION_START(CVoxelandMap)
+    std::string load;                  //!< map file to begin with; empty: none
     std::string ini;                   //!< text of the Voxeland INI
     LikelihoodOptions likelihoodOpts;  //!< section `<prefix>_voxelandMap_00_likelihoodOpts`
     MAP_DEFINITION_END(CVoxelandMap)
