@@ -30,9 +30,13 @@ ProgramResult runMrpt(Way way, const std::string& folder, const std::string& pro
     std::vector<std::string> all{program};
     all.insert(all.end(), arguments.begin(), arguments.end());
     if (way == Way::Launcher) return runProgramIn(folder, "voxeland-run", all);
-    all.insert(all.begin(),
-               "LD_PRELOAD=" + std::string(VOXELAND_TEST_BINARY_DIR) + "/lib/libvoxeland.so");
+    all.insert(all.begin(), "LD_PRELOAD=" + voxelandLibrary());
     return runProgramIn(folder, "env", all);
+}
+
+std::string voxelandLibrary()
+{
+    return std::string(VOXELAND_TEST_BINARY_DIR) + "/lib/libvoxeland.so";
 }
 
 bool isInstalled(const std::string& program)

@@ -27,6 +27,9 @@ std::string nameOf(Way way);
 ProgramResult runMrpt(Way way, const std::string& folder, const std::string& program,
                       const std::vector<std::string>& arguments);
 
+/** Path of the library under test. */
+std::string voxelandLibrary();
+
 /** Whether a program can be found in the PATH. */
 bool isInstalled(const std::string& program);
 
