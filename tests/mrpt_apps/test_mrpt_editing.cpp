@@ -35,7 +35,8 @@ class RawlogEdit : public SimulatedRobot, public testing::WithParamInterface<boo
 
     [[nodiscard]] ProgramResult edit(const std::vector<std::string>& arguments) const
     {
-        std::vector<std::string> all{"-i", m_rawlog};
+        // MRPT 2.5.8 forgets the slash after a rawlog's folder where it names text files.
+        std::vector<std::string> all{"-i", "robot.rawlog"};
         all.insert(all.end(), arguments.begin(), arguments.end());
         if (GetParam()) return runMrpt(Way::Launcher, folder(), "rawlog-edit", all);
         all.insert(all.end(), {"-p", voxelandLibrary()});

@@ -22,8 +22,7 @@ namespace voxeland
  * one where their INI says `voxelandMap_count = 1`; section `<prefix>_voxelandMap_00_creationOpts`
  * may name a map to begin with (`load = file.voxeland`) and a whole Voxeland INI (`config =
  * file.ini`; without it, that of the loaded map or the defaults), and sections
- * `<prefix>_voxelandMap_00_map`,
- * `..._converter` and so on set single keys.
+ * `<prefix>_voxelandMap_00_map`, `..._converter` and so on set single keys.
  *
  *  Depth scans and predictions come in separate insertObservation() calls, in either order; a scan
  * waits for its predictions while a few newer ones come (`prediction_wait`), see flush().
