@@ -8,6 +8,8 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+
 namespace voxeland
 {
 IMPLEMENTS_MRPT_OBJECT(CPixelLabelsConverter, voxeland::COpinionConverter, voxeland)

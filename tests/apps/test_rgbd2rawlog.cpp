@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include <algorithm>
+
 using namespace voxeland;
 namespace fs = std::filesystem;
 

@@ -9,6 +9,7 @@
 #include <mrpt/poses/CPose3D.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace voxeland;

@@ -46,7 +46,7 @@ class ChatCompletions : public testing::Test
                              "base_url = " + url + "\nmodel = m\napi_key_env = " + KEY_VARIABLE +
                                  "\nretry_delay = 0.01\nretries = 2\n" + keys);
     }
-    [[nodiscard]] static std::string answerOf(const std::shared_ptr<CDisambiguator>& backend)
+    static std::string answerOf(const std::shared_ptr<CDisambiguator>& backend)
     {
         return backend->ask(couchOrChair())->text;
     }

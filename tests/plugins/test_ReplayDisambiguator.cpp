@@ -24,13 +24,13 @@ std::shared_ptr<CDisambiguator> top()
 class ReplayDisambiguator : public testing::Test
 {
  protected:
-    [[nodiscard]] std::shared_ptr<CDisambiguator> replay(const std::string& keys = "") const
+    std::shared_ptr<CDisambiguator> replay(const std::string& keys = "") const
     {
         return test::backend("replay", "CReplayDisambiguator",
                              "folder = " + questions() + "\n" + keys);
     }
     /** Replays, and records the answers of the baseline. */
-    [[nodiscard]] std::shared_ptr<CDisambiguator> recorder(const std::string& keys = "") const
+    std::shared_ptr<CDisambiguator> recorder(const std::string& keys = "") const
     {
         const std::string ini = m_folder.file("record.ini");
         test::writeFile(ini,
