@@ -52,7 +52,14 @@ class Arguments
           m_height("", "height", "Height of the images [pixels] (default 480)", false, 480, "N",
                    parser),
           m_exactDepth("", "exact-depth", "Depth without noise and dropouts", parser),
-          m_drift("", "drift", "The poses in the rawlog drift; without, they are exact", parser),
+          m_drift(
+              "", "drift",
+              "The poses in the rawlog drift, and tell their covariance; without, they are exact",
+              parser),
+          m_jitter("", "jitter",
+                   "Each pose has an error of its own, larger at some times than at others, and "
+                   "tells its covariance",
+                   parser),
           m_tracks("", "tracks",
                    "true: predictions carry the object's true identity as track id (default false)",
                    false, "false", "true|false", parser),
@@ -87,6 +94,7 @@ class Arguments
         o.depth.enabled = !m_exactDepth.getValue();
         o.drift.enabled = m_drift.getValue();
         o.robot.enabled = m_robot.getValue();
+        o.jitter.enabled = m_jitter.getValue();
         o.detector = DetectorOptions::preset(m_detector.getValue());
         o.detector.tracks = isFirst(m_tracks, "true", "false");
         return o;
@@ -123,7 +131,7 @@ class Arguments
     TCLAP::ValueArg<int> m_frames, m_rooms;
     TCLAP::ValueArg<std::string> m_detector;
     TCLAP::ValueArg<int> m_width, m_height;
-    TCLAP::SwitchArg m_exactDepth, m_drift;
+    TCLAP::SwitchArg m_exactDepth, m_drift, m_jitter;
     TCLAP::ValueArg<std::string> m_tracks;
     TCLAP::SwitchArg m_painted, m_robot, m_sensoryFrames, m_embed;
     TCLAP::ValueArg<std::string> m_images;

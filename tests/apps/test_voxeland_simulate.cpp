@@ -96,7 +96,7 @@ TEST_F(VoxelandSimulate, ExplainsItself)
     const auto help = test::runProgram("voxeland-simulate", {"--help"});
     EXPECT_EQ(help.exitCode, 0);
     for (const auto* option : {"--seed", "--frames", "--rooms", "--detector", "--gt", "--embed",
-                               "--images", "--drift", "--tracks"})
+                               "--images", "--drift", "--jitter", "--tracks"})
         EXPECT_NE(help.output.find(option), std::string::npos) << option;
     EXPECT_EQ(test::runProgram("voxeland-simulate", {"--version"}).exitCode, 0);
 }

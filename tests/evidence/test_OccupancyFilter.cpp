@@ -97,3 +97,20 @@ TEST(OccupancyFilter, RefusesOptionsThatMakeNoFilter)
     EXPECT_THROW(make(NAN, 0.4, 0.12, 0.97), std::invalid_argument);
     EXPECT_THROW(make(0.7, 0.4, 1e-9, 0.97), std::invalid_argument);
 }
+
+TEST(OccupancyFilter, WeakenedObservationsAddAShareOfTheLogOdds)
+{
+    const OccupancyFilter filter;
+    const OccupancyFilter third = filter.weakened(1.0 / 3);
+    log_odds_t hits = UNOBSERVED, misses = UNOBSERVED;
+    for (int i = 0; i < 3; ++i) {
+        hits = third.afterHit(hits);
+        misses = third.afterMiss(misses);
+    }
+    EXPECT_NEAR(OccupancyFilter::probability(hits), 0.7, 1e-3);
+    EXPECT_NEAR(OccupancyFilter::probability(misses), 0.4, 1e-3);
+    for (int i = 0; i < 1000; ++i) hits = third.afterHit(hits);
+    EXPECT_NEAR(OccupancyFilter::probability(hits), 0.97, 1e-3) << "the limits stay";
+    EXPECT_EQ(filter.weakened(1).afterHit(100), filter.afterHit(100));
+    EXPECT_EQ(filter.weakened(0).afterMiss(100), 100);
+}

@@ -99,6 +99,26 @@ TEST(PoseTrack, WithinAMillisecondThePoseIsTheRecordedOne)
     EXPECT_NEAR(track.at(at(1.002))->x, 1.02, 1e-4);
 }
 
+TEST(PoseTrack, CovariancesAreInterpolatedAsThePosesAre)
+{
+    const auto covariance = [](double value) {
+        auto matrix = std::make_shared<mrpt::math::CMatrixDouble66>();
+        matrix->fill(value);
+        return matrix;
+    };
+    PoseTrack track(1);
+    track.add(at(0), {}, covariance(4));
+    track.add(at(1), {}, covariance(8));
+    track.add(at(2), {});
+    track.add(at(3), {});
+    EXPECT_NEAR((*track.covarianceAt(at(0)))(2, 3), 4, 1e-12);
+    EXPECT_NEAR((*track.covarianceAt(at(0.25)))(2, 3), 5, 1e-12);
+    EXPECT_NEAR((*track.covarianceAt(at(1.75)))(5, 0), 2, 1e-12) << "none counts as exact";
+    EXPECT_EQ(track.covarianceAt(at(2)), nullptr);
+    EXPECT_EQ(track.covarianceAt(at(2.5)), nullptr);
+    EXPECT_EQ(track.covarianceAt(at(7)), nullptr) << "there is no pose either";
+}
+
 TEST(PoseTrack, ForgettingKeepsWhatLaterTimesNeed)
 {
     PoseTrack track(1);

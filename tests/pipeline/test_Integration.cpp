@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Frames.h"
+#include "voxeland/evidence/Displacement.h"
 #include "voxeland/pipeline/Integration.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,15 @@ PreparedFrame wallFrame()
     VoxelizedFrame voxels(frame, RESOLUTION, {});
     auto space = castRays(voxels, 0.1);
     return {std::move(voxels), {}, std::move(space), true, {}};
+}
+
+/** An uncertainty that displaces everything by so much, root mean square [m]. */
+PoseUncertainty shaking(double displacement)
+{
+    mrpt::math::CMatrixDouble66 covariance;
+    covariance.setZero();
+    for (int i = 0; i < 3; ++i) covariance(i, i) = displacement * displacement / 3;
+    return {mrpt::poses::CPose3D(), covariance};
 }
 
 /** Number of the first hit voxel with at least this many points. */
@@ -59,6 +69,35 @@ TEST(IntegrateOccupancy, EachVoxelIsUpdatedOncePerFrame)
         }
         EXPECT_EQ(map.memory().observedVoxels, updated) << "what is behind stays unobserved";
     }
+}
+
+TEST(IntegrateOccupancy, CountsLessWhereThePoseIsUncertain)
+{
+    SemanticVoxelMap map;
+    const auto frame = wallFrame();
+    const auto uncertainty = shaking(0.05);
+    integrateOccupancy(frame.space, map, uncertainty);
+    const double trust = probabilityOfStaying(0.05, RESOLUTION);
+    for (const HitVoxel& h : frame.voxels.hits()) {
+        const double p = OccupancyFilter::probability(map.occupancy(h.coord));
+        EXPECT_NEAR(std::log(p / (1 - p)), trust * std::log(0.7 / 0.3), 1e-3);
+    }
+}
+
+TEST(IntegrateGeometry, CountsLessWhereThePoseIsUncertain)
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id;
+    auto frame = wallFrame();
+    const uint32_t hit = hitWith(frame, 4);
+    const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
+    frame.opinions = {opinion(hit, points - 1, 0.5F)};
+    frame.uncertainty = shaking(0.02);
+    integrateGeometry(frame, {id}, 0.2, map);
+    const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
+    const auto trust = static_cast<float>(probabilityOfStaying(0.02, RESOLUTION));
+    EXPECT_FLOAT_EQ(evidence.alphaOf(id), trust * (points - 1));
+    EXPECT_FLOAT_EQ(evidence.alphaOf(UNKNOWN_INSTANCE), trust * 0.2F);
 }
 
 TEST(IntegrateGeometry, PointsNobodyClaimsAreWeighedForUnknown)

@@ -2,9 +2,12 @@
 /** Which predictions of a sidecar reach a frame, and which are counted as lost. */
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
+#include "voxeland/io/GzOutputFile.h"
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
 
 using namespace voxeland;
 using namespace voxeland::test;
@@ -88,4 +91,55 @@ TEST(RawlogFrameSource, TakesOnlyTheSidecarsPredictionsOfTheSensorAskedFor)
     EXPECT_EQ(yolo.frames, 5U);
     EXPECT_EQ(yolo.withPredictions, 2U);
     EXPECT_EQ(yolo.predictionsWithoutFrame, 0U);
+}
+
+TEST(RawlogFrameSource, PosesComeWithTheirCovariance)
+{
+    const TemporaryFolder folder;
+    auto frames = smallFrames(2);
+    for (int i = 0; i < 6; ++i) frames[1].pose->pose.cov(i, i) = 0.01 * (1 + i);
+    writeRawlog(folder.file("in.rawlog"), frames);
+    RawlogFrameSource source(folder.file("in.rawlog"), {}, {});
+    EXPECT_EQ(source.next()->poseCovariance, nullptr) << "MRPT writes zeros where it knows none";
+    const auto frame = source.next();
+    ASSERT_NE(frame->poseCovariance, nullptr);
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j)
+            EXPECT_NEAR((*frame->poseCovariance)(i, j), i == j ? 0.01 * (1 + i) : 0, 1e-9);
+}
+
+/** A robot whose position is measured by something 2 m ahead of its middle: where that is exact but
+ *  the heading is not, the middle is uncertain to both sides. */
+TEST(RawlogFrameSource, CovariancesAreOfTheRobotNotOfWhatMeasuresIt)
+{
+    const TemporaryFolder folder;
+    auto frames = smallFrames(1);
+    frames[0].pose->pose.mean = mrpt::poses::CPose3D(5, 6, 0, 0, 0, 0);
+    frames[0].pose->sensorPose = mrpt::poses::CPose3D(2, 0, 0, 0, 0, 0);
+    frames[0].pose->pose.cov(3, 3) = 0.01 * 0.01;
+    writeRawlog(folder.file("in.rawlog"), frames);
+    const auto frame = RawlogFrameSource(folder.file("in.rawlog"), {}, {}).next();
+    EXPECT_NEAR(frame->robotPose.x(), 3, 1e-9);
+    EXPECT_NEAR((*frame->poseCovariance)(0, 0), 0, 1e-9);
+    EXPECT_NEAR((*frame->poseCovariance)(1, 1), 0.02 * 0.02, 1e-9);
+    EXPECT_NEAR((*frame->poseCovariance)(3, 3), 0.01 * 0.01, 1e-9);
+}
+
+TEST(RawlogFrameSource, PosesOfASimplemapComeWithTheirCovariance)
+{
+    const TemporaryFolder folder;
+    const auto frames = smallFrames(1);
+    auto pose = mrpt::poses::CPose3DPDFGaussian::Create(frames[0].pose->pose);
+    pose->cov(4, 4) = 0.25;
+    auto sensed = mrpt::obs::CSensoryFrame::Create();
+    sensed->insert(frames[0].scan);
+    mrpt::maps::CSimpleMap map;
+    map.insert(pose, sensed);
+    GzOutputFile out(folder.file("in.simplemap"));
+    out.writeObject(map);
+    out.close();
+    const auto frame = RawlogFrameSource(folder.file("in.simplemap"), {}, {}).next();
+    ASSERT_TRUE(frame.has_value());
+    ASSERT_NE(frame->poseCovariance, nullptr);
+    EXPECT_EQ((*frame->poseCovariance)(4, 4), 0.25);
 }

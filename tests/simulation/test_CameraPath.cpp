@@ -51,27 +51,3 @@ TEST(CameraPath, MovesAndTurnsSmoothly)
         EXPECT_LT(std::abs(std::remainder(b.yaw - a.yaw, 2 * M_PI)), 0.09);
     }
 }
-
-TEST(Drift, IsNothingUnlessAskedFor)
-{
-    const auto poses = CameraPath(apartment(1), {}, Random(1)).poses();
-    EXPECT_EQ(drifting(poses, {}, Random(1)), poses);
-}
-
-TEST(Drift, GrowsWithTheSquareRootOfTheWay)
-{
-    std::vector<mrpt::math::TPose3D> poses;
-    for (int i = 0; i <= 100; ++i) poses.emplace_back(0.04 * i, 0, 1, 0, 0, 0);  // 4 m ahead
-    DriftOptions options;
-    options.enabled = true;
-    options.rotation = 0;
-    constexpr int RUNS = 2000;
-    double squares = 0;
-    for (uint64_t run = 0; run < RUNS; ++run) {
-        const auto drifted = drifting(poses, options, Random(run));
-        EXPECT_EQ(drifted.front(), poses.front());
-        squares += std::pow(drifted.back().y, 2);
-    }
-    // 0.01 m after 1 m is 0.02 m after 4 m.
-    EXPECT_NEAR(std::sqrt(squares / RUNS), 0.02, 5 * 0.02 / std::sqrt(2.0 * RUNS));
-}

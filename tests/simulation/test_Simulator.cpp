@@ -88,8 +88,8 @@ TEST(Simulator, RecordsAreCompleteMrptObservations)
     EXPECT_NEAR(scan.cameraParams.fx(), 131.25, 1e-9);
     EXPECT_NEAR(scan.cameraParamsIntensity.cx(), 79.5, 1e-9);
     EXPECT_EQ(record.instances->imageWidth, 160);
-    EXPECT_EQ(*record.robotPose, frame.reportedPose);
-    EXPECT_NE(frame.reportedPose, frame.truePose);
+    EXPECT_EQ(*record.robotPose, frame.reported.pose);
+    EXPECT_NE(frame.reported.pose, frame.truePose);
     const auto step = scan.timestamp - simulator.frame(4).timestamp;
     EXPECT_NEAR(
         mrpt::Clock::toDouble(scan.timestamp) - mrpt::Clock::toDouble(scan.timestamp - step),

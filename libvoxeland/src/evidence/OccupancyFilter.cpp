@@ -24,6 +24,14 @@ OccupancyFilter::OccupancyFilter(const Options& o)
     m_max = fromProbability(o.prob_max);
 }
 
+OccupancyFilter OccupancyFilter::weakened(double weight) const
+{
+    OccupancyFilter result = *this;
+    result.m_hit = static_cast<int>(std::lround(m_hit * weight));
+    result.m_miss = static_cast<int>(std::lround(m_miss * weight));
+    return result;
+}
+
 double OccupancyFilter::probability(log_odds_t value)
 {
     if (value == UNOBSERVED) return 0.5;

@@ -38,6 +38,7 @@ std::optional<RgbdFrame> FrameAssembler::next()
 
         RgbdFrame frame;
         frame.scan = scan;
+        frame.poseCovariance = m_poses.covarianceAt(scan->timestamp);
         if (instances != m_instances.end()) {
             frame.instances = instances->second;
             m_instances.erase(instances);

@@ -3,6 +3,7 @@
 
 #include "voxeland/errors.h"
 
+#include <Eigen/Dense>
 #include <mrpt/math/CQuaternion.h>
 #include <mrpt/math/slerp.h>
 #include <mrpt/poses/CPose3D.h>
@@ -56,12 +57,14 @@ PoseTrack PoseTrack::fromTumFile(const std::string& file, double maxGap)
     return track;
 }
 
-void PoseTrack::add(const mrpt::Clock::time_point& time, const TPose3D& pose)
+void PoseTrack::add(const mrpt::Clock::time_point& time, const TPose3D& pose,
+                    PoseCovariance covariance)
 {
-    m_poses[time] = pose;
+    m_poses[time] = {pose, std::move(covariance)};
 }
 
-std::optional<TPose3D> PoseTrack::at(const mrpt::Clock::time_point& time) const
+std::optional<PoseTrack::Neighbours> PoseTrack::neighboursOf(
+    const mrpt::Clock::time_point& time) const
 {
     using mrpt::system::timeDifference;
     const auto after = m_poses.lower_bound(time);
@@ -69,13 +72,34 @@ std::optional<TPose3D> PoseTrack::at(const mrpt::Clock::time_point& time) const
     const auto before = hasBefore ? std::prev(after) : after;
     const double toAfter = hasAfter ? timeDifference(time, after->first) : INFINITY;
     const double toBefore = hasBefore ? timeDifference(before->first, time) : INFINITY;
-    if (toAfter <= SAME_TIME && toAfter <= toBefore) return after->second;
-    if (toBefore <= SAME_TIME) return before->second;
+    if (toAfter <= SAME_TIME && toAfter <= toBefore)
+        return Neighbours{&after->second, &after->second, 0};
+    if (toBefore <= SAME_TIME) return Neighbours{&before->second, &before->second, 0};
     const double gap = toBefore + toAfter;
     if (!(gap <= m_maxGap)) return std::nullopt;
+    return Neighbours{&before->second, &after->second, toBefore / gap};
+}
+
+std::optional<TPose3D> PoseTrack::at(const mrpt::Clock::time_point& time) const
+{
+    const auto n = neighboursOf(time);
+    if (!n) return std::nullopt;
+    if (n->before == n->after) return n->before->pose;
     TPose3D pose;
-    mrpt::math::slerp(before->second, after->second, toBefore / gap, pose);
+    mrpt::math::slerp(n->before->pose, n->after->pose, n->share, pose);
     return pose;
+}
+
+PoseCovariance PoseTrack::covarianceAt(const mrpt::Clock::time_point& time) const
+{
+    const auto n = neighboursOf(time);
+    if (!n || (!n->before->covariance && !n->after->covariance)) return nullptr;
+    if (n->before == n->after) return n->before->covariance;
+    auto mean = std::make_shared<mrpt::math::CMatrixDouble66>();
+    mean->setZero();
+    if (n->before->covariance) mean->asEigen() += (1 - n->share) * n->before->covariance->asEigen();
+    if (n->after->covariance) mean->asEigen() += n->share * n->after->covariance->asEigen();
+    return mean;
 }
 
 void PoseTrack::forgetBefore(const mrpt::Clock::time_point& time)

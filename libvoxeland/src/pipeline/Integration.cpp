@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/Integration.h"
 
+#include "voxeland/evidence/Displacement.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -39,15 +41,40 @@ mrpt::math::TPoint3D middleOf(const Opinion& opinion, const std::vector<HitVoxel
     }
     return sum * (1 / points);
 }
+
+/** Probability that what was seen at a place is in the right voxel. */
+double trustIn(const mrpt::math::TPoint3D& place, const PoseUncertainty& uncertainty,
+               double resolution)
+{
+    return probabilityOfStaying(uncertainty.displacement(place), resolution);
+}
+
+/** trustIn() the points of each hit voxel; 1 where the pose counts as exact. */
+std::vector<float> trustInHits(const PreparedFrame& frame)
+{
+    const std::vector<HitVoxel>& hits = frame.voxels.hits();
+    std::vector<float> trust(hits.size(), 1);
+    if (frame.uncertainty)
+        for (size_t h = 0; h < hits.size(); ++h)
+            trust[h] = static_cast<float>(
+                trustIn(hits[h].centroid, *frame.uncertainty, frame.voxels.resolution()));
+    return trust;
+}
 }  // namespace
 
-void integrateOccupancy(const ObservedSpace& space, SemanticVoxelMap& map)
+void integrateOccupancy(const ObservedSpace& space, SemanticVoxelMap& map,
+                        const std::optional<PoseUncertainty>& uncertainty)
 {
-    const OccupancyFilter& filter = map.occupancyFilter();
+    const double blockSide = BLOCK_SIDE * map.resolution();
     for (size_t b = 0; b < space.size(); ++b) {
         const ObservedBlock& seen = space[b];
         if (!seen.hit.any() && !seen.passed.any()) continue;
         MapBlock& block = map.blocks().at(space.coordOf(b));
+        OccupancyFilter filter = map.occupancyFilter();
+        if (uncertainty) {
+            const auto middle = voxelCenter<mrpt::math::TPoint3D>(space.coordOf(b), blockSide);
+            filter = filter.weakened(trustIn(middle, *uncertainty, map.resolution()));
+        }
         seen.hit.forEach(
             [&](int cell) { block.setOccupancy(cell, filter.afterHit(block.occupancy(cell))); });
         seen.passed.forEach(
@@ -76,6 +103,7 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
                        double unknownWeight, SemanticVoxelMap& map)
 {
     const std::vector<HitVoxel>& hits = frame.voxels.hits();
+    const std::vector<float> trust = trustInHits(frame);
     std::vector<float> claimed(hits.size(), 0), weighted(hits.size(), 0);
     for (const Opinion& o : frame.opinions)
         for (const OpinionVoxel& v : o.voxels) {
@@ -89,7 +117,7 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
             const float available =
                 std::min(claimed[v.hit], static_cast<float>(hits[v.hit].points));
             const float share = v.points * specificity(o) / weighted[v.hit];
-            map.addEvidence(hits[v.hit].coord, instances[i], available * share);
+            map.addEvidence(hits[v.hit].coord, instances[i], available * share * trust[v.hit]);
         }
     }
 
@@ -97,7 +125,7 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
     for (size_t h = 0; h < hits.size(); ++h) {
         const float unclaimed = static_cast<float>(hits[h].points) - claimed[h];
         if (unclaimed * weight > 0)
-            map.addEvidence(hits[h].coord, UNKNOWN_INSTANCE, unclaimed * weight);
+            map.addEvidence(hits[h].coord, UNKNOWN_INSTANCE, unclaimed * weight * trust[h]);
     }
 }
 

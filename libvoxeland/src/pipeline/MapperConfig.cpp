@@ -54,6 +54,9 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
              "probable category alone, as in the paper");
     list.add("visibility_margin", integration.visibility_margin, {0, 10},
              "A voxel this far behind the measured depth still counts as seen [m]");
+    list.add("pose_uncertainty", integration.pose_uncertainty,
+             "Where poses come with a covariance, evidence counts by the probability that it is in "
+             "the right voxel");
     list.add("prior_strength", o.prior_strength, {0, INF},
              "Prior evidence spread over the known categories of an instance (W)");
     list.add(

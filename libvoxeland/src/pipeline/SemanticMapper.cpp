@@ -84,12 +84,16 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
         const StageTimer timer(times, Stage::rays);
         return castRays(voxels, m_config.integration.visibility_margin);
     }();
+    std::optional<PoseUncertainty> uncertainty;
+    if (m_config.integration.pose_uncertainty && frame.poseCovariance)
+        uncertainty.emplace(frame.robotPose, *frame.poseCovariance);
     return {std::move(voxels),
             std::move(opinions),
             std::move(space),
             frame.instances != nullptr,
             times,
-            frame.scan->timestamp};
+            frame.scan->timestamp,
+            uncertainty};
 }
 
 StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
@@ -107,7 +111,7 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
         const StageTimer timer(frame.times, Stage::integration);
         const auto instances = resolveAssignments(assignments, map);
         if (m_trace) m_trace->opinions(counts.frames, opinions, assignments, instances);
-        integrateOccupancy(frame.space, map);
+        integrateOccupancy(frame.space, map, frame.uncertainty);
         integrateGeometry(frame, instances, m_config.integration.unknown_weight, map);
         integrateSemantics(opinions, instances, counts.frames, m_config.integration.sharpness, map);
         recordViews(frame, opinions, instances, counts.frames, map);

@@ -44,6 +44,13 @@ mrpt::poses::CPose3D movement(const CActionCollection& actions)
         return mrpt::poses::CPose3D(in2D->poseChange->getMeanVal());
     return {};
 }
+
+/** Covariance of a pose; null if all of it is 0, as MRPT writes where none is known. */
+PoseCovariance covarianceOf(const mrpt::poses::CPose3DPDF& pose)
+{
+    auto covariance = std::make_shared<const mrpt::math::CMatrixDouble66>(pose.getCovariance());
+    return *covariance == mrpt::math::CMatrixDouble66::Zero() ? nullptr : covariance;
+}
 }  // namespace
 
 RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions& options,
@@ -114,7 +121,8 @@ void RawlogFrameSource::take(const mrpt::serialization::CSerializable::Ptr& obje
         for (const auto& keyframe : *map) {
             for (const auto& o : *keyframe.sf) {
                 if (source == SIMPLEMAP_POSES)
-                    m_assembler.addPose(o->timestamp, keyframe.pose->getMeanVal().asTPose());
+                    m_assembler.addPose(o->timestamp, keyframe.pose->getMeanVal().asTPose(),
+                                        covarianceOf(*keyframe.pose));
                 takeObservation(o);
             }
         }
@@ -125,10 +133,12 @@ void RawlogFrameSource::takeObservation(const CObservation::Ptr& observation)
 {
     const std::string& source = m_options.pose_source;
     if (const auto pose = std::dynamic_pointer_cast<CObservationRobotPose>(observation)) {
-        if (source == "robot_pose")
-            m_assembler.addPose(
-                pose->timestamp,
-                (pose->pose.mean + (mrpt::poses::CPose3D() - pose->sensorPose)).asTPose());
+        if (source != "robot_pose") return;
+        const mrpt::poses::CPose3D robotInSensor = mrpt::poses::CPose3D() - pose->sensorPose;
+        mrpt::poses::CPose3DPDFGaussian robot = pose->pose;
+        robot += robotInSensor;
+        m_assembler.addPose(pose->timestamp, (pose->pose.mean + robotInSensor).asTPose(),
+                            covarianceOf(robot));
     } else if (const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation)) {
         if (source == "odometry")
             m_assembler.addPose(odometry->timestamp,

@@ -78,6 +78,7 @@ std::vector<CObservation::Ptr> RgbdRawlogWriter::Implementation::observationsOf(
         pose->sensorLabel = "pose";
         pose->pose.mean = mrpt::poses::CPose3D(*record.robotPose);
         pose->pose.cov.setZero();
+        if (record.poseCovariance) pose->pose.cov = *record.poseCovariance;
         result.push_back(pose);
     }
     result.push_back(record.scan);

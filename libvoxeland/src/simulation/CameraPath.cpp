@@ -3,8 +3,6 @@
 
 #include "WalkableFloor.h"
 
-#include <mrpt/poses/CPose3D.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -217,25 +215,5 @@ CameraPath::CameraPath(const Scene& scene, const CameraOptions& o, Random random
             -between(a.pitch, b.pitch) + angle * pitch.at(t),  // MRPT: down is +
             angle * roll.at(t));
     }
-}
-
-std::vector<mrpt::math::TPose3D> drifting(const std::vector<mrpt::math::TPose3D>& poses,
-                                          const DriftOptions& options, Random random)
-{
-    using mrpt::poses::CPose3D;
-    if (!options.enabled || poses.empty()) return poses;
-    std::vector<mrpt::math::TPose3D> result{poses.front()};
-    for (size_t i = 1; i < poses.size(); ++i) {
-        const CPose3D step = CPose3D(poses[i]) - CPose3D(poses[i - 1]);
-        const auto root = static_cast<float>(std::sqrt(step.norm()));
-        const float t = options.translation * root, r = options.rotation * DEG * root;
-        mrpt::math::TPose3D error;  // one by one: the order of random numbers matters
-        error.x = random.normal(t);
-        error.y = random.normal(t);
-        error.z = random.normal(t / 3);
-        error.yaw = random.normal(r);
-        result.push_back((CPose3D(result.back()) + step + CPose3D(error)).asTPose());
-    }
-    return result;
 }
 }  // namespace voxeland::simulation

@@ -99,6 +99,7 @@ void SimulationOptions::check() const
     require(camera.frames >= 1, "the number of frames must be at least 1");
     require(camera.frameRate > 0 && camera.focalLength > 0,
             "frame rate and focal length must be positive");
+    require(jitter.period >= 1, "the period of the poses' errors must be at least 1 frame");
     require(groundTruthSpacing > 0, "the spacing of ground truth points must be positive");
 }
 }  // namespace voxeland::simulation

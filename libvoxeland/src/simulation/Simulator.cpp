@@ -30,7 +30,8 @@ enum Stream : uint64_t
     DEPTH,
     DETECTION,
     ODOMETRY,
-    LASER
+    LASER,
+    JITTER
 };
 
 const SimulationOptions& checked(const SimulationOptions& options)
@@ -63,7 +64,8 @@ Simulator::Simulator(const SimulationOptions& o)
       m_camera(o.camera),
       m_truePoses(CameraPath(m_scene, o.camera, Random(o.seed, PATH)).poses()),
       m_robotPoses(o.robot.enabled ? carriers(m_truePoses) : m_truePoses),
-      m_reportedPoses(drifting(m_robotPoses, o.drift, Random(o.seed, DRIFT))),
+      m_reportedPoses(jittering(drifting(m_robotPoses, o.drift, Random(o.seed, DRIFT)), o.jitter,
+                                Random(o.seed, JITTER))),
       m_odometry(drifting(m_robotPoses, o.robot.odometry, Random(o.seed, ODOMETRY))),
       m_renderer(m_scene, m_camera),
       m_laser(m_scene, o.robot),
@@ -78,9 +80,9 @@ SimulatedFrame Simulator::frame(size_t index) const
     frame.timestamp = mrpt::Clock::fromDouble(time);
     frame.truePose = m_truePoses.at(index);
     frame.robotPose = m_robotPoses[index];
-    frame.reportedPose = m_reportedPoses[index];
+    frame.reported = m_reportedPoses[index];
     if (m_options.robot.enabled) {
-        frame.odometry = mrpt::math::TPose2D(m_odometry[index]);
+        frame.odometry = mrpt::math::TPose2D(m_odometry[index].pose);
         Random noise(m_options.seed, LASER, index);
         frame.laser = m_laser.measure(mrpt::math::TPose2D(frame.robotPose), noise);
     }
@@ -146,7 +148,8 @@ RgbdRecord Simulator::record(const SimulatedFrame& frame) const
             mrpt::poses::CPose3D(frame.truePose) - mrpt::poses::CPose3D(frame.robotPose);
     record.scan = scan;
 
-    record.robotPose = std::make_shared<mrpt::math::TPose3D>(frame.reportedPose);
+    record.robotPose = std::make_shared<mrpt::math::TPose3D>(frame.reported.pose);
+    record.poseCovariance = frame.reported.covariance;
 
     record.instances = CObservationInstances::Create();
     record.instances->timestamp = frame.timestamp;

@@ -33,6 +33,10 @@ class OccupancyFilter
     [[nodiscard]] log_odds_t afterHit(log_odds_t before) const { return updated(before, m_hit); }
     [[nodiscard]] log_odds_t afterMiss(log_odds_t before) const { return updated(before, m_miss); }
 
+    /** A filter of the same limits whose observations count less. \param weight in [0,1]; 1: this
+     */
+    [[nodiscard]] OccupancyFilter weakened(double weight) const;
+
     /** Probability in (0,1); 0.5 for UNOBSERVED. */
     static double probability(log_odds_t value);
     /** Whether occupied is more likely than free; false for UNOBSERVED. */

@@ -44,9 +44,10 @@ class FrameAssembler
         m_poses.setMaxGap(maxPoseGap);
     }
 
-    void addPose(const mrpt::Clock::time_point& time, const mrpt::math::TPose3D& pose)
+    void addPose(const mrpt::Clock::time_point& time, const mrpt::math::TPose3D& pose,
+                 PoseCovariance covariance = nullptr)
     {
-        m_poses.add(time, pose);
+        m_poses.add(time, pose, std::move(covariance));
     }
     void addScan(std::shared_ptr<const mrpt::obs::CObservation3DRangeScan> scan);
     void addInstances(std::shared_ptr<const CObservationInstances> instances);
@@ -63,7 +64,8 @@ class FrameAssembler
     [[nodiscard]] bool empty() const { return m_scans.empty() && m_instances.empty(); }
     [[nodiscard]] const Counts& counts() const { return m_counts; }
 
-    /** What waits, with its poses, the limits and the counts; not what skipScan() was told. */
+    /** What waits, with its poses, the limits and the counts; not what skipScan() was told, nor
+     *  covariances, as poses that insertObservation() gives to maps have none. */
     void writeTo(mrpt::serialization::CArchive& out) const;
     void readFrom(mrpt::serialization::CArchive& in);
 

@@ -8,8 +8,10 @@
 namespace voxeland
 {
 /** Occupancy by the binary Bayes filter: each voxel the frame saw is updated once, as hit or as
- * free. */
-void integrateOccupancy(const ObservedSpace& space, SemanticVoxelMap& map);
+ *  free. Where the pose is uncertain, the log-odds of hit and free are multiplied by the
+ * probability that what was seen is in the right voxel, which is computed once for each block. */
+void integrateOccupancy(const ObservedSpace& space, SemanticVoxelMap& map,
+                        const std::optional<PoseUncertainty>& uncertainty = std::nullopt);
 
 /** Which instance each opinion is about, new instances having been created. */
 std::vector<instance_id_t> resolveAssignments(const std::vector<Assignment>& assignments,
@@ -18,15 +20,17 @@ std::vector<instance_id_t> resolveAssignments(const std::vector<Assignment>& ass
 /** Geometric integration (paper, "Continuous Map Integration"): alpha_k of a voxel grows by the
  * number of 3D points that the opinions about instance k have in it. Where opinions claim the same
  * points, each gets its share, weighted by confidence. Points that nobody claims are evidence for
- * *unknown*. \param instances that of each opinion, in the same order */
+ * *unknown*. Where the pose is uncertain, points count by the probability that they are in the
+ * right voxel. \param instances that of each opinion, in the same order */
 void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id_t>& instances,
                        double unknownWeight, SemanticVoxelMap& map);
 
 /** Semantic integration: beta_l of an instance grows by confidence times the opinion's probability
  * of l, raised to `sharpness` and normalized. The paper adds the confidence to the most probable
  * category alone, which is the limit of a great sharpness: 1 keeps the tails that a network gives
- * to every category, and they hide whether its opinions agree. \param frameNumber that of the
- * frame, remembered as last seen */
+ * to every category, and they hide whether its opinions agree. An uncertain pose takes nothing from
+ * it: it says where an object is, not what. \param frameNumber that of the frame, remembered as
+ * last seen */
 void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
                         const std::vector<instance_id_t>& instances, uint32_t frameNumber,
                         double sharpness, SemanticVoxelMap& map);

@@ -34,6 +34,7 @@ struct IntegrationOptions
         2;  //!< exponent of category probabilities before they count as evidence, >= 1
     /** A voxel this far behind a measured surface counts as seen [m]. */
     double visibility_margin = 0.1;
+    bool pose_uncertainty = false;  //!< discount evidence of frames whose pose is uncertain
 };
 
 /** Section [refinement]: what is done every some frames to mend over- and under-segmentation. Sizes

@@ -6,6 +6,7 @@
 
 #include <mrpt/core/Clock.h>
 
+#include <optional>
 #include <vector>
 
 namespace voxeland
@@ -19,5 +20,7 @@ struct PreparedFrame
     bool hasPredictions = false;  //!< whether the rawlog had predictions for the frame
     StageTimes times;
     mrpt::Clock::time_point time{};  //!< timestamp of the frame
+    /** By how much its evidence is discounted: not at all where this is absent. */
+    std::optional<PoseUncertainty> uncertainty{};
 };
 }  // namespace voxeland

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/observations/CObservationInstances.h"
+#include "voxeland/observations/PoseUncertainty.h"
 
 #include <memory>
 #include <string>
@@ -20,6 +21,7 @@ struct RgbdRecord
     std::shared_ptr<mrpt::obs::CObservation3DRangeScan> scan;  //!< depth and registered colour
     /** Pose of the robot in the world; the scan's sensorPose is relative to it. Null: unknown. */
     std::shared_ptr<mrpt::math::TPose3D> robotPose;
+    PoseCovariance poseCovariance{};       //!< of that pose, or null
     CObservationInstances::Ptr instances;  //!< predictions, or null
     /** What other sensors say; in the rawlog it comes before the scan, odometry first. */
     std::vector<std::shared_ptr<mrpt::obs::CObservation>> others;

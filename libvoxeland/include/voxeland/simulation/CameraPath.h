@@ -23,8 +23,4 @@ class CameraPath
  private:
     std::vector<mrpt::math::TPose3D> m_poses;
 };
-
-/** The poses a drifting localization would report: a random walk away from the true ones. */
-[[nodiscard]] std::vector<mrpt::math::TPose3D> drifting(
-    const std::vector<mrpt::math::TPose3D>& poses, const DriftOptions& options, Random random);
 }  // namespace voxeland::simulation

@@ -69,6 +69,17 @@ struct RobotOptions
     float laserSigma = 0.01F;  //!< standard deviation of a range [m]
 };
 
+/** Errors of single poses written to the rawlog, as of a localization that is unsure now and then:
+ *  each frame has one of its own, and how large they are on average changes with time. */
+struct JitterOptions
+{
+    bool enabled = false;
+    int period = 30;           //!< frames after which the standard deviations change
+    float translation = 0.1F;  //!< greatest standard deviation along x and y [m]; of z a third;
+                               //!< the current one is this times u^3, u being uniform in [0,1)
+    float rotation = 3;        //!< the same for the heading [deg]; of pitch and roll a third
+};
+
 /** How wrong the simulated detector is. All probabilities are per object and frame unless a
  *  comment says otherwise; lengths in the image refer to one 640 pixels wide. */
 struct DetectorOptions
@@ -113,6 +124,7 @@ struct SimulationOptions
     DepthNoiseOptions depth;
     DriftOptions drift;
     RobotOptions robot;
+    JitterOptions jitter;
     DetectorOptions detector;
     float groundTruthSpacing = 0.02F;  //!< between points of the ground truth, at most [m]
 

@@ -3,6 +3,7 @@
 #include "voxeland/rawlogs/RgbdRawlogWriter.h"
 #include "voxeland/simulation/CameraPath.h"
 #include "voxeland/simulation/LaserScanner.h"
+#include "voxeland/simulation/Localization.h"
 #include "voxeland/simulation/NoisyDetector.h"
 #include "voxeland/simulation/SceneRenderer.h"
 
@@ -16,13 +17,13 @@ namespace voxeland::simulation
 struct SimulatedFrame
 {
     mrpt::Clock::time_point timestamp;
-    mrpt::math::TPose3D truePose;      //!< of the camera, x forward, z up
-    mrpt::math::TPose3D robotPose;     //!< of what carries the camera; without a robot, the same
-    mrpt::math::TPose3D reportedPose;  //!< the robot's, with the localization's drift
-    mrpt::math::TPose2D odometry;      //!< the robot's, as its wheels tell it
-    std::vector<float> laser;          //!< see LaserScanner; empty without a robot
-    RenderedView exact;                //!< what is really there
-    std::vector<uint16_t> depth;       //!< what the depth camera measures [mm]; 0: nothing
+    mrpt::math::TPose3D truePose;   //!< of the camera, x forward, z up
+    mrpt::math::TPose3D robotPose;  //!< of what carries the camera; without a robot, the same
+    ReportedPose reported;          //!< the robot's, with the localization's errors
+    mrpt::math::TPose2D odometry;   //!< the robot's, as its wheels tell it
+    std::vector<float> laser;       //!< see LaserScanner; empty without a robot
+    RenderedView exact;             //!< what is really there
+    std::vector<uint16_t> depth;    //!< what the depth camera measures [mm]; 0: nothing
     std::vector<InstancePrediction> predictions;  //!< what the detector says
 };
 
@@ -54,7 +55,8 @@ class Simulator
     SimulationOptions m_options;
     Scene m_scene;
     PinholeCamera m_camera;
-    std::vector<mrpt::math::TPose3D> m_truePoses, m_robotPoses, m_reportedPoses, m_odometry;
+    std::vector<mrpt::math::TPose3D> m_truePoses, m_robotPoses;
+    std::vector<ReportedPose> m_reportedPoses, m_odometry;
     SceneRenderer m_renderer;
     LaserScanner m_laser;
     NoisyDetector m_detector;
