@@ -136,7 +136,7 @@ void RawlogFrameSource::takeObservation(const CObservation::Ptr& observation)
         if (source != "robot_pose") return;
         const mrpt::poses::CPose3D robotInSensor = mrpt::poses::CPose3D() - pose->sensorPose;
         mrpt::poses::CPose3DPDFGaussian robot = pose->pose;
-        robot += robotInSensor;
+        if (robotInSensor != mrpt::poses::CPose3D()) robot += robotInSensor;
         m_assembler.addPose(pose->timestamp, (pose->pose.mean + robotInSensor).asTPose(),
                             covarianceOf(robot));
     } else if (const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation)) {
