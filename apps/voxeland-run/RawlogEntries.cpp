@@ -5,37 +5,32 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include <filesystem>
-#include <utility>
-#include <vector>
+#include <algorithm>
 
 using namespace mrpt::obs;
-namespace fs = std::filesystem;
 
 namespace voxeland::apps
 {
-RawlogEntries::RawlogEntries(const std::string& file) : m_rawlog(file)
+RawlogEntries::RawlogEntries(const std::string& file)
+    : m_rawlog(file), m_sidecar(RawlogFiles(file)), m_lastScan(mrpt::Clock::time_point::min())
 {
-    const RawlogFiles files(file);
-    files.useImages();
-    if (fs::exists(files.sidecar))
-        m_sidecar = std::make_unique<GzInputFile>(files.sidecar.string());
+    RawlogFiles(file).useImages();
 }
 
 std::optional<RawlogEntries::Entry> RawlogEntries::next()
 {
-    if (m_pending) return Entry{nullptr, nullptr, std::exchange(m_pending, nullptr)};
+    if (const auto predictions = m_sidecar.next(m_lastScan))
+        return Entry{nullptr, nullptr, predictions};
     CActionCollection::Ptr actions;
     while (const auto object = m_rawlog.readObject()) {
+        ++m_objectsRead;
         if (const auto observation = std::dynamic_pointer_cast<CObservation>(object)) {
-            m_pending = predictionsFor(*observation);
+            meet(*observation);
             return Entry{nullptr, nullptr, observation};
         }
         if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object)) {
-            std::vector<CObservation::Ptr> predictions;
-            for (const auto& observation : *frame)
-                if (const auto found = predictionsFor(*observation)) predictions.push_back(found);
-            for (const auto& found : predictions) frame->insert(found);
+            for (const auto& observation : *frame) meet(*observation);
+            while (const auto predictions = m_sidecar.next(m_lastScan)) frame->insert(predictions);
             if (!actions) actions = CActionCollection::Create();
             return Entry{actions, frame, nullptr};
         }
@@ -44,17 +39,9 @@ std::optional<RawlogEntries::Entry> RawlogEntries::next()
     return std::nullopt;
 }
 
-CObservationInstances::Ptr RawlogEntries::predictionsFor(const CObservation& observation)
+void RawlogEntries::meet(const CObservation& observation)
 {
-    if (dynamic_cast<const CObservation3DRangeScan*>(&observation) == nullptr) return nullptr;
-    while (m_sidecar) {
-        if (m_nextOfSidecar && m_nextOfSidecar->timestamp > observation.timestamp) break;
-        const auto predictions = std::exchange(m_nextOfSidecar, nullptr);
-        if (predictions && predictions->timestamp == observation.timestamp) return predictions;
-        const auto object = m_sidecar->readObject();
-        if (!object) m_sidecar.reset();
-        m_nextOfSidecar = std::dynamic_pointer_cast<CObservationInstances>(object);
-    }
-    return nullptr;
+    if (dynamic_cast<const CObservation3DRangeScan*>(&observation) != nullptr)
+        m_lastScan = std::max(m_lastScan, observation.timestamp);
 }
 }  // namespace voxeland::apps

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/io/GzInputFile.h"
-#include "voxeland/observations/CObservationInstances.h"
+#include "voxeland/rawlogs/PredictionSidecar.h"
 
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
-#include <deque>
-#include <memory>
 #include <optional>
 #include <string>
 
 namespace voxeland::apps
 {
 /** Reads a rawlog as MRPT's applications do, but with what lies beside it: predictions of the
- * sidecar come as if they were in the rawlog, after the scans they belong to, and external images
- * are found. Unlike MRPT's own reading it does not take damage for the end. */
+ * sidecar come as if they were in the rawlog, after the first scan that is not earlier, and
+ * external images are found. Unlike MRPT's own reading it does not take damage for the end. */
 class RawlogEntries
 {
  public:
@@ -35,13 +33,17 @@ class RawlogEntries
      *  unknown */
     std::optional<Entry> next();
 
+    /** Objects read from the rawlog so far, which is how MRPT numbers entries; predictions of the
+     * sidecar do not count. */
+    [[nodiscard]] size_t objectsRead() const { return m_objectsRead; }
+
  private:
-    /** Predictions of the sidecar for a scan, or null. */
-    CObservationInstances::Ptr predictionsFor(const mrpt::obs::CObservation& observation);
+    /** Has predictions up to the time of an observation come next, if it is a scan. */
+    void meet(const mrpt::obs::CObservation& observation);
 
     GzInputFile m_rawlog;
-    std::unique_ptr<GzInputFile> m_sidecar;
-    CObservationInstances::Ptr m_nextOfSidecar;
-    mrpt::obs::CObservation::Ptr m_pending;  //!< predictions for the observation just returned
+    PredictionSidecar m_sidecar;
+    mrpt::Clock::time_point m_lastScan;  //!< time of the latest scan met
+    size_t m_objectsRead = 0;
 };
 }  // namespace voxeland::apps

@@ -15,11 +15,7 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
-#include <filesystem>
-#include <utility>
-
 using namespace mrpt::obs;
-namespace fs = std::filesystem;
 
 namespace voxeland
 {
@@ -59,12 +55,10 @@ RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions
       m_options(options),
       m_range(range),
       m_input(std::make_unique<GzInputFile>(file)),
+      m_sidecar(RawlogFiles(file)),
       m_assembler(options.prediction_wait, initialPoses(options))
 {
-    const RawlogFiles files(file);
-    if (fs::exists(files.sidecar))
-        m_sidecar = std::make_unique<GzInputFile>(files.sidecar.string());
-    files.useImages();
+    RawlogFiles(file).useImages();
 }
 
 RawlogFrameSource::~RawlogFrameSource() = default;
@@ -179,15 +173,7 @@ void RawlogFrameSource::readSidecar(const mrpt::Clock::time_point& until, uint32
 {
     if (frameNumber > m_range.to) return;
     const std::string& label = m_options.instances_sensor_label;
-    while (m_sidecar) {
-        if (!m_nextOfSidecar) {
-            const auto object = m_sidecar->readObject();
-            if (!object) m_sidecar.reset();
-            m_nextOfSidecar = std::dynamic_pointer_cast<CObservationInstances>(object);
-        }
-        if (!m_nextOfSidecar) continue;
-        if (m_nextOfSidecar->timestamp > until) return;
-        const auto predictions = std::exchange(m_nextOfSidecar, nullptr);
+    while (const auto predictions = m_sidecar.next(until)) {
         if (!label.empty() && label != predictions->sensorLabel) continue;
         if (predictions->timestamp < until)
             m_sidecarWithoutFrame += frameNumber >= m_range.from ? 1 : 0;

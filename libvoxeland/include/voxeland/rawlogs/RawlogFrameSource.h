@@ -2,8 +2,8 @@
 #pragma once
 #include "voxeland/observations/FrameAssembler.h"
 #include "voxeland/pipeline/MapperConfig.h"
+#include "voxeland/rawlogs/PredictionSidecar.h"
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,8 +69,8 @@ class RawlogFrameSource
     std::string m_file;
     InputOptions m_options;
     FrameRange m_range;
-    std::unique_ptr<GzInputFile> m_input, m_sidecar;
-    std::shared_ptr<CObservationInstances> m_nextOfSidecar;
+    std::unique_ptr<GzInputFile> m_input;
+    PredictionSidecar m_sidecar;
     FrameAssembler m_assembler;
     mrpt::poses::CPose3D m_actionsPose;  //!< where the actions so far have led
     uint32_t m_framesMet = 0;
