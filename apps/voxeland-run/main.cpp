@@ -50,8 +50,12 @@ class WithVoxeland : public Application
                                     mrpt::obs::CObservation::Ptr& observation) override
     {
         if (!m_entries) m_entries = std::make_unique<apps::RawlogEntries>(this->m_rawlogFileName);
-        const auto entry = m_entries->next();
-        if (!entry) return false;
+        std::optional<apps::RawlogEntries::Entry> entry;
+        do {
+            entry = m_entries->next();
+            if (!entry) return false;
+            this->m_rawlogEntry = m_entries->objectsRead();
+        } while (this->m_rawlogEntry < this->m_rawlog_offset);
         if (WANTS_FRAMES && !entry->frame)
             throw InputError(this->m_rawlogFileName +
                              " consists of single observations; this application needs actions and "

@@ -2,6 +2,10 @@
 /** MRPT's mapping programs hold and fill a Voxeland map. */
 #include "SimulatedRobot.h"
 #include "support/MapBytes.h"
+#include "voxeland/io/GzInputFile.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CSensoryFrame.h>
 
 #include <cmath>
 #include <fstream>
@@ -33,6 +37,31 @@ mrpt::math::TPose2D lastPose(const std::string& log, size_t yawColumn)
 double distance(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b)
 {
     return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/** A shipped INI with another `rawlog_offset`. */
+std::string withOffset(const std::string& ini, size_t offset)
+{
+    std::string text = readFile(mrptConfig(ini));
+    const std::string none = "rawlog_offset = 0";
+    return text.replace(text.find(none), none.size(), "rawlog_offset = " + std::to_string(offset));
+}
+
+/** Depth scans of a rawlog from its object of that number on, the first being 1. */
+uint32_t scansFrom(size_t number, const std::string& rawlog)
+{
+    GzInputFile in(rawlog);
+    uint32_t scans = 0;
+    size_t read = 0;
+    while (const auto object = in.readObject()) {
+        if (++read < number) continue;
+        const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object);
+        const auto isScan =
+            std::dynamic_pointer_cast<mrpt::obs::CObservation3DRangeScan>(object) ||
+            (frame && frame->getObservationByClass<mrpt::obs::CObservation3DRangeScan>());
+        scans += isScan ? 1 : 0;
+    }
+    return scans;
 }
 
 void expectFilled(const CVoxelandMap& map, uint32_t frames)
@@ -93,6 +122,23 @@ TEST_P(MrptMapping, RbpfSlamMapsEveryFrameInFiveParticles)
     EXPECT_LT(distance(end, truth("robot").back() - truth("robot").front()), 0.5);
 }
 
+TEST_P(MrptMapping, IcpSlamBeginsWhereTheIniSays)
+{
+    SKIP_WITHOUT("icp-slam");
+    constexpr size_t OFFSET = 11;
+    writeFile(path("later.ini"), withOffset("icp-slam.ini", OFFSET));
+    for (const bool sensoryFrames : {false, true}) {
+        std::vector<std::string> options{"--embed", "--images", "embedded"};
+        if (sensoryFrames) options.emplace_back("--sensory-frames");
+        const auto rawlog = simulate("robot", 10, options);
+        const auto result = runMrpt(GetParam(), folder(), "icp-slam", {path("later.ini"), rawlog});
+        ASSERT_EQ(result.exitCode, 0) << result.output << result.errors;
+        const uint32_t left = scansFrom(OFFSET, rawlog);
+        EXPECT_TRUE(left > 0 && left < 10) << left;
+        EXPECT_EQ(onlyMapIn(path("icp-slam-out"))->counts().frames, left);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, MrptMapping, testing::Values(Way::Preload, Way::Launcher),
                          [](const auto& way) { return nameOf(way.param); });
 
@@ -111,6 +157,18 @@ TEST_F(VoxelandRun, FindsPredictionsAndImagesBesideTheRawlog)
     const auto map = onlyMapIn(path("b/icp-slam-out"));
     expectFilled(*map, FRAMES);
     expectSameMap(*map, *onlyMapIn(path("a/icp-slam-out")));
+}
+
+TEST_F(VoxelandRun, PredictionsBesideTheRawlogAreNoEntriesOfIt)
+{
+    constexpr size_t OFFSET = 23;
+    const auto rawlog = simulate("robot", 10, {});
+    writeFile(path("later.ini"), withOffset("icp-slam.ini", OFFSET));
+    const auto result = runMrpt(Way::Launcher, folder(), "icp-slam", {path("later.ini"), rawlog});
+    ASSERT_EQ(result.exitCode, 0) << result.output << result.errors;
+    const auto counts = onlyMapIn(path("icp-slam-out"))->counts();
+    EXPECT_EQ(counts.frames, scansFrom(OFFSET, rawlog));
+    EXPECT_EQ(counts.framesWithoutPredictions, 0U);
 }
 
 TEST_F(VoxelandRun, FindsPredictionsBesideSensoryFrames)
@@ -158,7 +216,7 @@ TEST_F(VoxelandRun, ExplainsItself)
     const auto help = runProgram("voxeland-run", {"--help"});
     EXPECT_EQ(help.exitCode, 0);
     for (const auto* word : {"icp-slam", "rbpf-slam", "pf-localization", "observations2map",
-                             "share/config/mrpt", "Exit codes"})
+                             "share/config/mrpt", "share/voxeland/config/mrpt", "Exit codes"})
         EXPECT_NE(help.output.find(word), std::string::npos) << word;
     EXPECT_EQ(runProgram("voxeland-run", {"--version"}).exitCode, 0);
 }
