@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <regex>
+#include <set>
 #include <unistd.h>
 
 using namespace voxeland;
@@ -78,10 +79,12 @@ void checkMaps(const std::string& ini)
     const std::regex ofAMap("(.*_(voxeland::)?C?voxelandMap_[0-9]+)_.*", std::regex::icase);
     std::vector<std::string> sections;
     config.getAllSections(sections);
+    std::set<std::string> maps;
     std::smatch parts;
     for (const std::string& section : sections)
-        if (std::regex_match(section, parts, ofAMap))
-            CVoxelandMap::TMapDefinition().loadFromConfigFile(config, parts[1]);
+        if (std::regex_match(section, parts, ofAMap)) maps.insert(parts[1]);
+    for (const std::string& map : maps)
+        CVoxelandMap::TMapDefinition().loadFromConfigFile(config, map);
 }
 
 /** \param arguments the application's name and arguments, as its main() would get them */
