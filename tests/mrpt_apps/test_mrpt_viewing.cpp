@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <future>
-#include <thread>
 
 using namespace voxeland;
 using namespace voxeland::test;
@@ -45,18 +44,19 @@ TEST_F(MrptViewing, SceneViewer3DShowsAMapsObjects)
     // The viewer ends when told to, or shows by its exit code that it ended by itself.
     writeFile(path("view.sh"),
               "SceneViewer3D -l \"$1\" map.3Dscene & viewer=$!\n"
-              "for i in $(seq 120); do sleep 0.5; [ -e stop ] && break; done\n"
+              "until [ -e stop ] || ! kill -0 $viewer; do sleep 0.2; done\n"
               "kill $viewer\n");
     auto viewing = std::async(std::launch::async, [&] {
-        return runProgramIn(folder(), "xvfb-run",
-                            {"-a", "-s", "-screen 0 800x600x24 -fbdir " + folder(), "bash",
-                             "view.sh", voxelandLibrary()});
+        return runProgramIn(
+            folder(), "timeout",
+            {"300", "xvfb-run", "-a", "-s", "-screen 0 800x600x24 -fbdir " + folder(), "bash",
+             "view.sh", voxelandLibrary()});
     });
+    // However long it takes: ctest ends the test then, and timeout what it has started.
     size_t vivid = 0;
-    for (int i = 0; i < 100 && vivid < 1000; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    while (vivid < 1000 &&
+           viewing.wait_for(std::chrono::milliseconds(200)) == std::future_status::timeout)
         vivid = vividPixels(path("Xvfb_screen0"));
-    }
     writeFile(path("stop"), "");
     const auto result = viewing.get();
     EXPECT_EQ(result.exitCode, 0) << result.errors;
