@@ -26,7 +26,7 @@ class MrptLocalization : public SimulatedRobot, public testing::WithParamInterfa
         const auto result =
             runMrpt(GetParam(), folder(), "pf-localization", {path("pf.ini"), rawlog});
         EXPECT_EQ(result.exitCode, 0) << result.output << result.errors;
-        std::ifstream in(path("pf-localization-out_000_0002000/GT_error.txt"));
+        std::ifstream in(path("pf-localization-out_000_0010000/GT_error.txt"));
         std::vector<double> errors;
         for (double error = 0; in >> error;) errors.push_back(error);
         return errors;
