@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program, "go to the nearest couch": a path by MRPT's planner, in the frame of exported
-// gridmaps.
+// "Go to the nearest couch": a path by MRPT's planner, in the frame of exported gridmaps.
 #include <voxeland/io/DrivableFloor.h>
 #include <voxeland/io/MapAnswers.h>
+#include <voxeland/io/SmallInstances.h>
 #include <voxeland/io/UpDirection.h>
 #include <voxeland/metric_map/CVoxelandMap.h>
 #include <voxeland/metric_map/MapFile.h>
@@ -13,8 +13,7 @@
 #include <iostream>
 #include <sstream>
 
-using mrpt::maps::COccupancyGridMap2D;
-using mrpt::math::TPoint2D, mrpt::math::TPose2D;
+using mrpt::maps::COccupancyGridMap2D, mrpt::math::TPoint2D, mrpt::math::TPose2D;
 const voxeland::DrivingRobot ROBOT;
 
 struct Way
@@ -42,7 +41,7 @@ Way plan(const COccupancyGridMap2D& grid, const TPoint2D& start, const TPose2D& 
 Way wayToNearest(const std::vector<voxeland::FoundInstance>& objects,
                  const voxeland::DrivableFloor& floor, const TPoint2D& start)
 {
-    Way best;
+    Way best{{start.x, start.y, 0}, {}};
     for (const auto& object : objects)
         for (const TPose2D& pose : floor.posesFacing(object.box)) {
             const Way way = plan(floor.grid(), start, pose);
@@ -78,21 +77,22 @@ try {
     if (!(xy >> start.x >> start.y)) throw std::runtime_error("usage: go_to MAP WHAT X Y [PNG]");
     const std::string what = argv[2];
     const auto file = voxeland::loadMap(argv[1]);
-    const auto objects = voxeland::findInstances(file->map(), what, {start.x, start.y, 0});
+    voxeland::SemanticVoxelMap& map = file->editMap();
+    voxeland::dismissSmallInstances(map, 10);  // specks are no places to go to
+    const auto objects = voxeland::findInstances(map, what, {start.x, start.y, 0});
     if (objects.empty()) {
         std::string known;
-        for (const auto& c : voxeland::overviewOf(file->map(), {}).categories)
-            known += " " + c.first;
-        throw std::runtime_error("no " + what + " in this map, but:" + known);
+        for (const auto& c : voxeland::overviewOf(map, {}).categories)
+            known += (known.empty() ? "" : ", ") + c.first;
+        throw std::runtime_error("no " + what + " in this map, but: " + known);
     }
-    const voxeland::LevelFrame frame(voxeland::estimateUp(file->map()));
-    const voxeland::DrivableFloor floor(file->map(), frame, ROBOT);
+    const voxeland::DrivableFloor floor(map, voxeland::LevelFrame(estimateUp(map)), ROBOT);
     if (!floor.fits(start)) throw std::runtime_error("the robot does not fit where it starts");
     const Way way = wayToNearest(objects, floor, start);
+    if (argc > 5) draw(floor.grid(), way, argv[5]);
     if (way.points.empty()) throw std::runtime_error("no way to a place before any " + what);
     std::cout << "goal " << way.goal << ", " << way.length << " m away\n";
     for (const TPoint2D& p : way.points) std::cout << p.x << " " << p.y << "\n";
-    if (argc > 5) draw(floor.grid(), way, argv[5]);
 } catch (const std::exception& e) {
     std::cerr << "go_to: " << e.what() << "\n";
     return 1;

@@ -122,7 +122,7 @@ bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
 std::string CVoxelandMap::asString() const
 {
     std::ostringstream text;
-    text << "voxeland map: " << m_map->instances().size() << " instances of "
+    text << "voxeland map: evidence for " << m_map->instances().size() << " instances of "
          << m_map->categories().size() << " categories, " << m_counts.frames
          << " frames, voxels of " << m_map->resolution() << " m";
     return text.str();
