@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Makes a man page of what a program prints for --help:
 #   PROGRAM --help | awk -v program=PROGRAM -v version=0.1.0 -v others="voxeland-info ..." -f from_help.awk
-# Help is a description whose first clause names the program, with indented lines for examples, then
-# "Options:", each an indented line, with its text indented deeper.
+# Help is a description whose first clause names the program, with indented lines for examples, maybe
+# lines that begin with "Usage: PROGRAM" or "Exit codes:", then "Options:", each an indented line, with
+# its text indented deeper.
 
 # What roff would take for its own.
 function text(line) {
@@ -18,7 +19,8 @@ function section(title, body) {
 
 # "0 done, 1 wrong usage" as a list.
 function statuses(codes,    list, count, i, number) {
-    count = split(codes, list, /, */)
+    gsub(/, [0-9]/, "\n&", codes)
+    count = split(codes, list, /\n, /)
     for (i = 1; i <= count; i++) {
         number = list[i]
         sub(/ .*/, "", number)
@@ -50,7 +52,10 @@ inOptions {
     options = options text($0) "\n"
     next
 }
-sub(/^Exit codes: /, "") { codes = $0; next }
+sub(/^Usage: [^ ]+ /, "") { usage = $0; next }
+sub(/^Exit codes: /, "") { codes = $0; inCodes = 1; next }
+inCodes && /^[^ ]/ { codes = codes " " $0; next }
+{ inCodes = 0 }
 /^  / {
     examples = examples text(substr($0, 3)) "\n"
     next
@@ -74,7 +79,7 @@ END {
     sub(/\.PP\n$/, "", description)
     printf ".TH %s 1 \"\" \"Voxeland %s\" \"Voxeland for MRPT\"\n", toupper(program), version
     section("NAME", text(program) " \\- " text(name) "\n")
-    section("SYNOPSIS", ".B " text(program required) "\n[option]...\n")
+    section("SYNOPSIS", ".B " text(program required) "\n" text(usage == "" ? "[option]..." : usage) "\n")
     section("DESCRIPTION", description)
     section("OPTIONS", options)
     section("EXAMPLES", examples == "" ? "" : ".nf\n" examples ".fi\n")
