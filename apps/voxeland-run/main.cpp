@@ -35,9 +35,10 @@ const char* const DESCRIPTION =
 icp-slam, rbpf-slam and pf-localization are MRPT's own application classes, run by this program. It
 also finds what lies beside the rawlog: external images, and predictions in NAME.instances.rawlog.
 Any other program is started in this one's place with libvoxeland preloaded, and its exit code is its
-own. Options of this program come before the name of the other one.
+own.
 INI files to start from are in share/config/mrpt of the sources, and once installed in
 share/voxeland/config/mrpt of the place of installation, such as /usr.
+Usage: voxeland-run [option]... <PROGRAM> [its arguments]...
 Exit codes: 0 done, 1 usage or configuration, 2 plugin, 3 input, or MRPT's application failed,
 5 output.)";
 
