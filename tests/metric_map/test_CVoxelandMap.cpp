@@ -14,6 +14,7 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include <filesystem>
+#include <sstream>
 
 using namespace voxeland;
 using mrpt::maps::CMultiMetricMap;
@@ -328,4 +329,78 @@ TEST(CVoxelandMap, AnIniOfItsOwnMayBeNamedAndOverridden)
     EXPECT_EQ(options.entropy, EntropyMeasure::mean);
     EXPECT_ANY_THROW(multiMap("[maps_voxelandMap_00_refinement]\nevrey = 3\n"));
     EXPECT_ANY_THROW(multiMap("[maps_voxelandMap_00_creationOpts]\nconfig = missing.ini\n"));
+}
+
+namespace
+{
+/** What is wrong with sections, as multiMap() says it. */
+std::string complaint(const std::string& sections)
+{
+    try {
+        multiMap(sections);
+    } catch (const std::exception& e) {
+        return e.what();
+    }
+    return "none";
+}
+}  // namespace
+
+TEST(CVoxelandMap, MisspeltKeysAndSectionsOfMrptsIniAreTold)
+{
+    const std::string creation = "[maps_voxelandMap_00_creationOpts]\n";
+    EXPECT_NE(complaint(creation + "lod = x.voxeland\n").find("'load'"), std::string::npos);
+    EXPECT_NE(complaint(creation + "confg = my.ini\n").find("'config'"), std::string::npos);
+    EXPECT_NE(complaint("[maps_voxelandMap_00_likelihoodOptions]\nsigma_dist = 1\n")
+                  .find("[maps_voxelandMap_00_likelihoodOpts]"),
+              std::string::npos);
+    EXPECT_NE(
+        complaint("[maps_voxelandMap_00_mapp]\nresolution = 1\n").find("[maps_voxelandMap_00_map]"),
+        std::string::npos);
+    EXPECT_EQ(complaint(creation +
+                        "enableSaveAs3DObject = false\nenableObservationLikelihood = 1\n"
+                        "enableObservationInsertion = true\n[maps_pointsMap_00_other]\nkey = 1\n"),
+              "none");
+}
+
+TEST(CVoxelandMap, ALoadedMapKeepsItsLikelihoodsOptionsButForThoseNamed)
+{
+    const test::TemporaryFolder folder;
+    CVoxelandMap saved = mapWith("map.resolution=0.1");
+    saved.likelihoodOptions.sigma_dist = 0.3;
+    saved.likelihoodOptions.max_points = 7;
+    saveMap(saved, folder.file("saved.voxeland"));
+    test::writeFile(folder.file("own.ini"), "[map]\nresolution = 0.1\n");
+    const std::string load =
+        "[maps_voxelandMap_00_creationOpts]\nload = " + folder.file("saved.voxeland") + "\n";
+    const std::string own = "config = " + folder.file("own.ini") + "\n";
+    for (const std::string& sections : {load, load + own}) {
+        const auto maps = multiMap(sections);
+        EXPECT_EQ(maps.mapByClass<CVoxelandMap>()->likelihoodOptions.sigma_dist, 0.3);
+    }
+    const auto maps = multiMap(load + "[maps_voxelandMap_00_likelihoodOpts]\nmax_points = 9\n");
+    const auto& options = maps.mapByClass<CVoxelandMap>()->likelihoodOptions;
+    EXPECT_EQ(options.sigma_dist, 0.3);
+    EXPECT_EQ(options.max_points, 9u);
+}
+
+TEST(CVoxelandMap, LikelihoodsThatLookTooFarForTheResolutionAreRefusedAtOnce)
+{
+    const std::string section = "[maps_voxelandMap_00_likelihoodOpts]\nmax_corr_distance = ";
+    EXPECT_EQ(complaint(section + "9.8\n"), "none") << "98 voxels of 0.1 m";
+    EXPECT_NE(complaint(section + "10\n").find("99 voxels"), std::string::npos);
+}
+
+TEST(CVoxelandMap, ADefinitionTellsTheMapItBeginsWith)
+{
+    const test::TemporaryFolder folder;
+    saveMap(mapOf(1), folder.file("saved.voxeland"));
+    const mrpt::config::CConfigFileMemory ini(
+        "[maps]\nvoxelandMap_count = 1\n"
+        "[maps_voxelandMap_00_creationOpts]\nload = " +
+        folder.file("saved.voxeland") + "\n");
+    mrpt::maps::TSetOfMetricMapInitializers definitions;
+    definitions.loadFromConfigFile(ini, "maps");
+    std::ostringstream text;
+    (*definitions.begin())->dumpToTextStream(text);
+    EXPECT_NE(text.str().find("load = " + folder.file("saved.voxeland")), std::string::npos);
 }

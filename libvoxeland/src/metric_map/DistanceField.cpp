@@ -12,8 +12,6 @@ namespace voxeland
 {
 namespace
 {
-constexpr int LARGEST_OFFSET = 100;  //!< [voxels], fits the bytes that offsets are kept in
-
 /** The nearest occupied voxel found so far, as seen from a cell. */
 struct Candidate
 {
@@ -38,7 +36,7 @@ DistanceField::DistanceField(const SemanticVoxelMap& map, double reach)
       m_lowest(1, 1, 1),
       m_highest(-1, -1, -1)
 {
-    if (!(m_cells <= LARGEST_OFFSET))
+    if (!(reach <= LARGEST_REACH * m_resolution))
         throw std::invalid_argument("a distance of " + std::to_string(reach) +
                                     " m is more than 99 voxels: look less far");
     VoxelCoord lowest{INT32_MAX, INT32_MAX, INT32_MAX}, highest{INT32_MIN, INT32_MIN, INT32_MIN};

@@ -1,39 +1,94 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How MRPT's programs create a CVoxelandMap from their INI, and how it is serialized. */
+#include "voxeland/errors.h"
+#include "voxeland/joined.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
+#include "voxeland/plugins/OptionList.h"
 
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
 #include <ostream>
 
 namespace voxeland
 {
 MAP_DEFINITION_REGISTER("voxeland::CVoxelandMap,voxelandMap", voxeland::CVoxelandMap)
 
+namespace
+{
+const std::string CREATION = "creationOpts", LIKELIHOOD = "likelihoodOpts";
+
+/** MRPT leaves alone what it does not look for: a misspelt section would count for nothing. */
+void checkSections(const mrpt::config::CConfigFileBase& source, const std::string& prefix)
+{
+    std::vector<std::string> known = MapperConfig::sections(), all;
+    known.insert(known.end(), {CREATION, LIKELIHOOD});
+    source.getAllSections(all);
+    for (const std::string& section : all) {
+        if (section.compare(0, prefix.size(), prefix) != 0) continue;
+        const std::string name = section.substr(prefix.size());
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const std::string nearest = nearestWord(name, known);
+        throw ConfigurationError(
+            "a voxeland map has no section [" + section + "]" +
+            (nearest.empty() ? "" : " (did you mean [" + prefix + nearest + "]?)"));
+    }
+}
+
+/** What section `<prefix>_creationOpts` may say. */
+struct CreationOptions
+{
+    std::string load, config;
+
+    /** \param generic what MRPT has read from the same section */
+    CreationOptions(const mrpt::config::CConfigFileBase& source, const std::string& prefix,
+                    mrpt::maps::TMapGenericParams generic)
+    {
+        OptionList list;
+        list.add("load", load, "Map to begin with");
+        list.add("config", config, "INI of Voxeland");
+        const std::string mrpts = "See mrpt::maps::TMapGenericParams";
+        list.add("enableSaveAs3DObject", generic.enableSaveAs3DObject, mrpts);
+        list.add("enableObservationLikelihood", generic.enableObservationLikelihood, mrpts);
+        list.add("enableObservationInsertion", generic.enableObservationInsertion, mrpts);
+        Ini ini;
+        ini.setFromPrefixedSections(source, prefix, {CREATION});
+        std::vector<std::string> problems;
+        list.load(ini, CREATION, problems);
+        if (!problems.empty()) throw ConfigurationError(joined(problems, "; "));
+    }
+};
+}  // namespace
+
 CVoxelandMap::TMapDefinition::TMapDefinition() = default;
 
 void CVoxelandMap::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
-    const std::string creation = sectionNamePrefix + "_creationOpts";
-    load = source.read_string(creation, "load", "");
-    const std::string file = source.read_string(creation, "config", "");
-    Ini all;
-    if (!file.empty())
-        all = Ini::fromFile(file);
-    else if (!load.empty())
-        all = Ini::fromText(loadMap(load)->configText(), load);
-    else
-        all = Ini::fromText("", sectionNamePrefix + "_*");
+    const std::string prefix = sectionNamePrefix + "_";
+    checkSections(source, prefix);
+    const CreationOptions creation(source, sectionNamePrefix, genericMapParams);
+    load = creation.load;
+    Ini all = Ini::fromText("", prefix + "*");
+    if (!load.empty()) {
+        const auto loaded = loadMap(load);
+        all = Ini::fromText(loaded->configText(), load);
+        likelihoodOpts = loaded->likelihoodOptions;
+    }
+    if (!creation.config.empty()) all = Ini::fromFile(creation.config);
     all.setFromPrefixedSections(source, sectionNamePrefix, MapperConfig::sections());
-    ini = MapperConfig(all).reproducibleText();
-    likelihoodOpts.loadFromConfigFile(source, sectionNamePrefix + "_likelihoodOpts");
+    const MapperConfig config(all);
+    ini = config.reproducibleText();
+    likelihoodOpts.loadFromConfigFile(source, prefix + LIKELIHOOD);
+    if (likelihoodOpts.max_corr_distance > DistanceField::LARGEST_REACH * config.map.resolution)
+        throw ConfigurationError("[" + prefix + LIKELIHOOD +
+                                 "] max_corr_distance is more than 99 voxels: look less far");
 }
 
 void CVoxelandMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-    out << ini << "\n";
+    out << "load = " << load << "\n" << ini << "\n";
     likelihoodOpts.dumpToTextStream(out);
 }
 

@@ -22,7 +22,9 @@ namespace voxeland
  * one where their INI says `voxelandMap_count = 1`; section `<prefix>_voxelandMap_00_creationOpts`
  * may name a map to begin with (`load = file.voxeland`) and a whole Voxeland INI (`config =
  * file.ini`; without it, that of the loaded map or the defaults), and sections
- * `<prefix>_voxelandMap_00_map`, `..._converter` and so on set single keys.
+ * `<prefix>_voxelandMap_00_map`, `..._converter`, `..._likelihoodOpts` and so on set single keys.
+ * Likelihoods are as the loaded map's options say, but for those keys. Unknown keys and sections
+ * are a ConfigurationError.
  *
  *  Depth scans and predictions come in separate insertObservation() calls, in either order; a scan
  * waits for its predictions while a few newer ones come (`prediction_wait`), see flush().
@@ -47,7 +49,8 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
 
     [[nodiscard]] const SemanticVoxelMap& map() const { return *m_map; }
     /** For those who change what is known of instances or categories. The reference must not be
-     * kept until after this is copied: copies share the map. */
+     * kept until after this is copied (copies share the map), nor until after points, likelihoods
+     * or matches were asked for (they would not follow). */
     [[nodiscard]] SemanticVoxelMap& editMap() { return m_map.edit(); }
     [[nodiscard]] const MappingCounts& counts() const { return m_counts; }
     /** INI text that reproduces the map's configuration; empty: all defaults. */

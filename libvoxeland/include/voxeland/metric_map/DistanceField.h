@@ -15,8 +15,11 @@ namespace voxeland
 class DistanceField
 {
  public:
+    /** Farthest that can be looked: offsets are kept in bytes [voxels]. */
+    static constexpr int LARGEST_REACH = 99;
+
     /** \param reach what is farther away counts as this far [m]
-     *  \throws std::invalid_argument if that is more than 99 voxels */
+     *  \throws std::invalid_argument if that is more than LARGEST_REACH */
     DistanceField(const SemanticVoxelMap& map, double reach);
 
     /** The largest distance given [m]. */
