@@ -13,6 +13,7 @@
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
+#include <limits>
 #include <sstream>
 
 using namespace voxeland;
@@ -122,6 +123,20 @@ TEST(Likelihood, OfNothingMeasuredOrNothingMapped)
     CVoxelandMap empty;
     empty.likelihoodOptions = map.likelihoodOptions;
     EXPECT_NEAR(empty.computeObservationLikelihood(cloudOf({{1, 0, 0}}), {}), -2.804225, 1e-5);
+}
+
+TEST(Likelihood, PointsThatAreNotFiniteTellNothing)
+{
+    CVoxelandMap map = oneVoxel();
+    map.likelihoodOptions.independent_points = 2;
+    constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+    constexpr double INF = std::numeric_limits<double>::infinity();
+    const TPoint3D a(1.125, 0.025, 0.025), b(1.025, 0.025, 0.025), c(7, 0, 0);
+    const auto clean = cloudOf({a, b, c});
+    const auto holed = cloudOf(
+        {a, {NOT_A_NUMBER, NOT_A_NUMBER, NOT_A_NUMBER}, b, {1, 0, NOT_A_NUMBER}, c, {-INF, 0, 0}});
+    EXPECT_EQ(map.computeObservationLikelihood(holed, {}),
+              map.computeObservationLikelihood(clean, {}));
 }
 
 TEST(Likelihood, FollowsTheMap)

@@ -38,5 +38,4 @@ void checkDepthImage(const CObservation3DRangeScan& scan)
                          " has an invalid calibration or depth unit: correct its "
                          "cameraParams and rangeUnits");
 }
-
 }  // namespace voxeland

@@ -22,7 +22,7 @@ namespace voxeland
 {
 namespace
 {
-/** Points in a sensor's frame that are near enough. */
+/** Points in a sensor's frame that are finite and near enough. */
 class PointCollector
 {
  public:
@@ -35,7 +35,9 @@ class PointCollector
 
     void add(const TPoint3D& p)
     {
-        if (m_squaredRange == 0 || p.sqrNorm() <= m_squaredRange) m_points.push_back(p);
+        const double squared = p.sqrNorm();
+        if (!std::isfinite(squared)) return;
+        if (m_squaredRange == 0 || squared <= m_squaredRange) m_points.push_back(p);
     }
     /** Adds at most most() of n points. \param point called as point(number), gives a point */
     template <typename PointOf>
