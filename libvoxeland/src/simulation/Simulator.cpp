@@ -48,6 +48,14 @@ std::vector<mrpt::math::TPose3D> carriers(const std::vector<mrpt::math::TPose3D>
     return result;
 }
 
+/** Wheels know neither heights nor their own errors. */
+std::vector<mrpt::math::TPose2D> onFloor(const std::vector<ReportedPose>& poses)
+{
+    std::vector<mrpt::math::TPose2D> result;
+    for (const ReportedPose& p : poses) result.emplace_back(p.pose);
+    return result;
+}
+
 mrpt::img::TCamera mrptCamera(const PinholeCamera& camera)
 {
     mrpt::img::TCamera result;
@@ -66,7 +74,7 @@ Simulator::Simulator(const SimulationOptions& o)
       m_robotPoses(o.robot.enabled ? carriers(m_truePoses) : m_truePoses),
       m_reportedPoses(jittering(drifting(m_robotPoses, o.drift, Random(o.seed, DRIFT)), o.jitter,
                                 Random(o.seed, JITTER))),
-      m_odometry(drifting(m_robotPoses, o.robot.odometry, Random(o.seed, ODOMETRY))),
+      m_odometry(onFloor(drifting(m_robotPoses, o.robot.odometry, Random(o.seed, ODOMETRY)))),
       m_renderer(m_scene, m_camera),
       m_laser(m_scene, o.robot),
       m_detector(m_scene, m_camera, o.detector, Random(o.seed, RECOGNITION))
@@ -82,7 +90,7 @@ SimulatedFrame Simulator::frame(size_t index) const
     frame.robotPose = m_robotPoses[index];
     frame.reported = m_reportedPoses[index];
     if (m_options.robot.enabled) {
-        frame.odometry = mrpt::math::TPose2D(m_odometry[index].pose);
+        frame.odometry = m_odometry[index];
         Random noise(m_options.seed, LASER, index);
         frame.laser = m_laser.measure(mrpt::math::TPose2D(frame.robotPose), noise);
     }

@@ -56,7 +56,8 @@ class Simulator
     Scene m_scene;
     PinholeCamera m_camera;
     std::vector<mrpt::math::TPose3D> m_truePoses, m_robotPoses;
-    std::vector<ReportedPose> m_reportedPoses, m_odometry;
+    std::vector<ReportedPose> m_reportedPoses;
+    std::vector<mrpt::math::TPose2D> m_odometry;
     SceneRenderer m_renderer;
     LaserScanner m_laser;
     NoisyDetector m_detector;
