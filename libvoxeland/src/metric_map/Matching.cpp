@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How other maps fit a CVoxelandMap. */
 #include "voxeland/metric_map/CVoxelandMap.h"
+#include "voxeland/metric_map/PointsSlice.h"
 
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 
 #include <stdexcept>
-#include <vector>
 
 using mrpt::maps::CMetricMap;
 using mrpt::maps::CPointsMap;
@@ -27,24 +27,6 @@ const CPointsMap& pointsOf(const CMetricMap& map)
     throw std::runtime_error(std::string("a ") + map.GetRuntimeClass()->className +
                              " cannot be matched with a voxeland map: it has no points");
 }
-
-/** The points of certain heights, and which of all points they are. */
-struct Slice
-{
-    CSimplePointsMap points;
-    std::vector<uint32_t> indices;
-
-    Slice(const CSimplePointsMap& all, float lowest, float highest)
-    {
-        const auto &x = all.getPointsBufferRef_x(), &y = all.getPointsBufferRef_y(),
-                   &z = all.getPointsBufferRef_z();
-        for (size_t i = 0; i < z.size(); ++i) {
-            if (z[i] < lowest || z[i] > highest) continue;
-            points.insertPoint(x[i], y[i], z[i]);
-            indices.push_back(static_cast<uint32_t>(i));
-        }
-    }
-};
 }  // namespace
 
 mrpt::math::TBoundingBoxf CVoxelandMap::boundingBox() const
@@ -76,9 +58,12 @@ void CVoxelandMap::determineMatching2D(const CMetricMap* other,
     const CPointsMap& otherPoints = pointsOf(*other);
     const auto heights = otherPoints.boundingBox();
     const auto half = static_cast<float>(m_map->resolution() / 2);
-    const Slice slice(m_map.points(), heights.min.z - half, heights.max.z + half);
-    slice.points.determineMatching2D(&otherPoints, otherPose, correspondences, params, results);
-    for (auto& pair : correspondences) pair.globalIdx = slice.indices[pair.globalIdx];
+    const auto match = [&](const PointsSlice& slice) {
+        slice.points().determineMatching2D(&otherPoints, otherPose, correspondences, params,
+                                           results);
+        for (auto& pair : correspondences) pair.globalIdx = slice.indexInAll(pair.globalIdx);
+    };
+    m_map.withSlice(heights.min.z - half, heights.max.z + half, match);
 }
 
 float CVoxelandMap::compute3DMatchingRatio(const CMetricMap* other,
