@@ -9,6 +9,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <algorithm>
+#include <regex>
 
 using namespace voxeland;
 namespace fs = std::filesystem;
@@ -219,8 +220,11 @@ TEST_F(Rgbd2Rawlog, stockMrptReadsARealRawlogWhole)
     EXPECT_EQ(info.exitCode, 0);
     EXPECT_NE(info.output.find("Overall number of objects         : 61"), std::string::npos)
         << info.output;
-    EXPECT_NE(info.output.find("RGBD /     30 /30.000"), std::string::npos) << info.output;
-    EXPECT_NE(info.output.find("pose /     30 /30.000"), std::string::npos) << info.output;
+    for (const char* label : {"RGBD", "pose"})  // newer MRPT has one more blank
+        EXPECT_TRUE(
+            std::regex_search(info.output, std::regex(std::string(label) + " +/ +30 +/ *30\\.000")))
+            << label << " in\n"
+            << info.output;
     EXPECT_NE(info.output.find("external storage directory: k_Images"), std::string::npos)
         << info.output;
 }
