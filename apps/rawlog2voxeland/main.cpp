@@ -2,6 +2,7 @@
 /** Makes a semantic voxel map from a rawlog. */
 #include "common/CommandLine.h"
 #include "common/Progress.h"
+#include "common/SetArgument.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AnswersAsText.h"
 #include "voxeland/io/AtomicFile.h"
@@ -53,12 +54,7 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<std::string> resume{
         "",      "resume", "Go on with this map instead of an empty one", false, "", "MAP.voxeland",
         parser()};
-    TCLAP::MultiArg<std::string> set{"",
-                                     "set",
-                                     "Set a key of the configuration; may be repeated",
-                                     false,
-                                     "section.key=value",
-                                     parser()};
+    apps::SetArgument set{"configuration", parser()};
     TCLAP::ValueArg<uint32_t> every{"",  "every", "Use one frame in so many (default: 1)", false, 1,
                                     "N", parser()};
     TCLAP::ValueArg<uint32_t> to{"",
@@ -95,7 +91,7 @@ Ini configuration(Arguments& arguments, const CVoxelandMap* resumed)
     else if (resumed != nullptr)
         ini = Ini::fromText(resumed->configText(), arguments.resume.getValue());
     if (arguments.poses.isSet()) ini.set("voxeland.pose_source=tum:" + arguments.poses.getValue());
-    for (const std::string& assignment : arguments.set.getValue()) ini.set(assignment);
+    arguments.set.applyTo(ini);
     return ini;
 }
 

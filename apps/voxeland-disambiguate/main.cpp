@@ -2,6 +2,7 @@
 /** Asks a back-end about the objects of a map whose category is uncertain. */
 #include "common/CommandLine.h"
 #include "common/Progress.h"
+#include "common/SetArgument.h"
 #include "voxeland/disambiguation/Asking.h"
 #include "voxeland/disambiguation/Checkpoint.h"
 #include "voxeland/disambiguation/Decisions.h"
@@ -56,12 +57,7 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<std::string> dryRun{
         "",    "dry-run", "Write what would be asked into this folder, and ask nothing", false, "",
         "DIR", parser()};
-    TCLAP::MultiArg<std::string> set{"",
-                                     "set",
-                                     "Set a key of the configuration; may be repeated",
-                                     false,
-                                     "section.key=value",
-                                     parser()};
+    apps::SetArgument set{"configuration", parser()};
     TCLAP::ValueArg<std::string> output{"o", "output",       "Map to write", false,
                                         "",  "MAP.voxeland", parser()};
     TCLAP::ValueArg<std::string> config{
@@ -85,7 +81,7 @@ Ini configuration(Arguments& arguments, const CVoxelandMap& map)
 {
     Ini ini = arguments.config.isSet() ? Ini::fromFile(arguments.config.getValue())
                                        : Ini::fromText(map.configText(), arguments.map.getValue());
-    for (const std::string& assignment : arguments.set.getValue()) ini.set(assignment);
+    arguments.set.applyTo(ini);
     return ini;
 }
 

@@ -18,7 +18,8 @@ using namespace voxeland;
 
 namespace
 {
-const char* const DESCRIPTION = R"(Tells what a Voxeland map holds: a summary, or what one of the options asks for.
+const char* const DESCRIPTION =
+    R"(Tells what a Voxeland map holds: a summary, or what one of the options asks for.
 
   voxeland-info kitchen.voxeland --instances            all objects, the biggest first
   voxeland-info kitchen.voxeland --instances --min-voxels 5      without specks

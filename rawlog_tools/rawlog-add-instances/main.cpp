@@ -2,6 +2,7 @@
 /** Adds a detector's predictions to a rawlog. */
 #include "common/CommandLine.h"
 #include "common/Progress.h"
+#include "common/SetArgument.h"
 #include "voxeland/datasets/RawlogPredictions.h"
 #include "voxeland/errors.h"
 #include "voxeland/pipeline/MapperConfig.h"
@@ -39,12 +40,7 @@ struct Arguments : apps::CommandLine
                                        "LABEL",
                                        parser()};
     TCLAP::SwitchArg embed{"", "embed", "Put the predictions into the rawlog", parser()};
-    TCLAP::MultiArg<std::string> set{"",
-                                     "set",
-                                     "Set a key of the network's INI; may be repeated",
-                                     false,
-                                     "section.key=value",
-                                     parser()};
+    apps::SetArgument set{"network's INI", parser()};
     TCLAP::ValueArg<std::string> categories{
         "",
         "categories",
@@ -80,7 +76,7 @@ void check(const Arguments& arguments)
 std::shared_ptr<const COpinionConverter> network(Arguments& arguments)
 {
     Ini ini = Ini::fromFile(arguments.dnn.getValue());
-    for (const std::string& assignment : arguments.set.getValue()) ini.set(assignment);
+    arguments.set.applyTo(ini);
     auto converter = MapperConfig(ini).converter;
     if (!converter->makesPredictions())
         throw ConfigurationError("[converter] of '" + arguments.dnn.getValue() +
