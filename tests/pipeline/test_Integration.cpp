@@ -46,6 +46,28 @@ Opinion opinion(uint32_t hit, float points, float confidence)
 {
     return {{{hit, points}}, {{"chair", 1}}, confidence, InstancePrediction::NO_TRACK};
 }
+
+/** A frame with an opinion about an instance of an empty map. */
+struct ClaimedHit
+{
+    SemanticVoxelMap map;
+    instance_id_t id;
+    PreparedFrame frame;
+    uint32_t hit;  //!< the voxel of the opinion
+    float points;  //!< that the voxel holds
+};
+
+/** Of one voxel's points, all but one belong to the instance. */
+ClaimedHit allButOnePointClaimed()
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id;
+    auto frame = wallFrame();
+    const uint32_t hit = hitWith(frame, 4);
+    const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
+    frame.opinions = {opinion(hit, points - 1, 0.5F)};
+    return {std::move(map), id, std::move(frame), hit, points};
+}
 }  // namespace
 
 TEST(IntegrateOccupancy, EachVoxelIsUpdatedOncePerFrame)
@@ -86,12 +108,7 @@ TEST(IntegrateOccupancy, CountsLessWhereThePoseIsUncertain)
 
 TEST(IntegrateGeometry, CountsLessWhereThePoseIsUncertain)
 {
-    SemanticVoxelMap map;
-    const instance_id_t id = map.createInstance().id;
-    auto frame = wallFrame();
-    const uint32_t hit = hitWith(frame, 4);
-    const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
-    frame.opinions = {opinion(hit, points - 1, 0.5F)};
+    auto [map, id, frame, hit, points] = allButOnePointClaimed();
     frame.uncertainty = shaking(0.02);
     integrateGeometry(frame, {id}, 0.2, map);
     const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
@@ -115,12 +132,7 @@ TEST(IntegrateGeometry, PointsNobodyClaimsAreWeighedForUnknown)
 
 TEST(IntegrateGeometry, ClaimedPointsGoToTheInstanceAndTheRestToUnknown)
 {
-    SemanticVoxelMap map;
-    const instance_id_t id = map.createInstance().id;
-    auto frame = wallFrame();
-    const uint32_t hit = hitWith(frame, 4);
-    const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
-    frame.opinions = {opinion(hit, points - 1, 0.5F)};
+    auto [map, id, frame, hit, points] = allButOnePointClaimed();
     integrateGeometry(frame, {id}, 0.2, map);
     const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
     EXPECT_FLOAT_EQ(evidence.alphaOf(id), points - 1) << "confidence does not weigh a sole claim";
