@@ -18,8 +18,10 @@
 #include "voxeland/metric_map/MapFile.h"
 
 #include <mrpt/core/format.h>
+#include <mrpt/system/string_utils.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -216,9 +218,26 @@ void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const LevelFram
         written(file);
 }
 
+/** Complains about a file named like one of another format; names without an ending will do. Where
+ *  the ending chooses among formats, the exporter looks at it itself. */
+void checkEndings(Arguments& arguments)
+{
+    for (const auto& [output, ending] :
+         {std::pair(&arguments.ply, ".ply"), std::pair(&arguments.json, ".json"),
+          std::pair(&arguments.csv, ".csv"), std::pair(&arguments.glb, ".glb"),
+          std::pair(&arguments.scene, ".3Dscene"), std::pair(&arguments.gridmap, ".gridmap")})
+    {
+        const std::string own = std::filesystem::path(output->getValue()).extension().string();
+        if (!own.empty() && !mrpt::system::strCmpI(own, ending))
+            throw ConfigurationError("--" + output->getName() + " '" + output->getValue() +
+                                     "' must end in " + ending + ", which is what it writes");
+    }
+}
+
 /** Complains about wrong usage before a map is read. */
 void check(Arguments& arguments)
 {
+    checkEndings(arguments);
     std::vector<std::string> outputs;
     for (auto* output :
          {&arguments.ply, &arguments.json, &arguments.csv, &arguments.glb, &arguments.scene,

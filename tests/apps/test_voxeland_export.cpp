@@ -96,6 +96,19 @@ TEST_F(VoxelandExport, wrongUsageIsExitCode1)
     EXPECT_FALSE(fs::exists(path("png")));
 }
 
+TEST_F(VoxelandExport, aNameOfAnotherFormatIsRefused)
+{
+    for (const char* option : {"--ply", "--json", "--csv", "--glb", "--scene", "--octomap",
+                               "--gridmap", "--ros-map", "--points"})
+    {
+        const auto result = exporting({option, path("x.obj")});
+        EXPECT_EQ(result.exitCode, 1) << option;
+        EXPECT_NE(result.errors.find("x.obj' must end in ."), std::string::npos) << result.errors;
+        EXPECT_FALSE(fs::exists(path("x.obj"))) << option;
+    }
+    EXPECT_EQ(exporting({"--ply", path("X.PLY"), "--csv", path("table")}).exitCode, 0);
+}
+
 TEST_F(VoxelandExport, anUnreadableMapIsExitCode3)
 {
     const auto result =
