@@ -48,6 +48,23 @@ class HelpOutput : public TCLAP::StdOutput
 
 HelpOutput helpOutput;
 
+/** The words of a command line, with `--name=value` as the `--name value` that TCLAP takes. */
+std::vector<std::string> wordsOf(int argc, char** argv, const std::list<TCLAP::Arg*>& options)
+{
+    std::vector<std::string> words;
+    for (int i = 0; i < argc; ++i) {
+        const std::string word = argv[i], name = word.substr(0, word.find('='));
+        const bool hasValue =
+            name != word &&
+            std::any_of(options.begin(), options.end(), [&](const TCLAP::Arg* option) {
+                return option->isValueRequired() && "--" + option->getName() == name;
+            });
+        words.push_back(hasValue ? name : word);
+        if (hasValue) words.push_back(word.substr(name.size() + 1));
+    }
+    return words;
+}
+
 int fail(const char* program, const std::exception& e, int exitCode)
 {
     std::cerr << program << ": " << sentence(e) << "\n";
@@ -68,7 +85,10 @@ CommandLine::CommandLine(const std::string& description)
 
 bool CommandLine::parse(int argc, char** argv)
 {
-    if (!m_parser.parse(argc, argv)) return false;
+    std::vector<const char*> words;
+    const std::vector<std::string> texts = wordsOf(argc, argv, m_parser.getArgList());
+    for (const std::string& text : texts) words.push_back(text.c_str());
+    if (!m_parser.parse(static_cast<int>(words.size()), words.data())) return false;
     static_cast<void>(verbosity());  // complain about it now
     return true;
 }

@@ -92,6 +92,14 @@ TEST_F(VoxelandInfo, at)
     EXPECT_TRUE(has(ask({"--at", "-50,0,0"}).output, "never observed"));
 }
 
+TEST_F(VoxelandInfo, longOptionsTakeTheirValueAfterAnEqualsSignToo)
+{
+    EXPECT_EQ(askJson({"--at=2.02,0.5,0.0"}), askJson({"--at", "2.02,0.5,0.0"}));
+    EXPECT_EQ(askJson({"--find=a=b"}), json::array()) << "the value may hold another";
+    for (const char* wrong : {"--at=", "--json=yes", "--bogus=1", "-v=INFO"})
+        EXPECT_EQ(ask({wrong}).exitCode, 1) << wrong;
+}
+
 TEST_F(VoxelandInfo, reobserve)
 {
     const json targets = askJson({"--reobserve", "--camera-height", "0.75", "--most", "1"});
