@@ -34,7 +34,7 @@ void Progress::update(size_t done, double fraction)
     if (fraction < 0 && m_total > 0)
         fraction = static_cast<double>(done) / static_cast<double>(m_total);
     char text[120];
-    int n = std::snprintf(text, sizeof(text), "%zu %s, %.1f/s", done, m_what.c_str(),
+    int n = std::snprintf(text, sizeof(text), "%s: %zu, %.1f/s", m_what.c_str(), done,
                           static_cast<double>(done) / seconds);
     if (fraction > 0 && n > 0)
         std::snprintf(text + n, sizeof(text) - static_cast<size_t>(n), ", %.0f %%, %.0f s left",

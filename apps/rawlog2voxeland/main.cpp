@@ -3,6 +3,7 @@
 #include "common/CommandLine.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
+#include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AnswersAsText.h"
 #include "voxeland/io/AtomicFile.h"
@@ -99,7 +100,8 @@ void printSummary(const CVoxelandMap& map, const TimingLog& timing)
 {
     std::cout << asText(overviewOf(map.map(), map.counts()));
     if (const uint32_t n = map.counts().predictionsWithoutFrame; n > 0)
-        std::cout << "left out       predictions of " << n << " frames that are not there\n";
+        std::cout << "left out       predictions of " << counted(n, "frame")
+                  << " not in the rawlog\n";
     timing.printSummary(std::cout);
 }
 

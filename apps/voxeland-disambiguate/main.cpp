@@ -3,6 +3,7 @@
 #include "common/CommandLine.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
+#include "voxeland/counted.h"
 #include "voxeland/disambiguation/Asking.h"
 #include "voxeland/disambiguation/Checkpoint.h"
 #include "voxeland/disambiguation/Decisions.h"
@@ -134,8 +135,8 @@ std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const Se
         });
     }
     if (missing > 0)
-        std::cerr << "voxeland-disambiguate: warning: the rawlog lacks the frames of " << missing
-                  << " views; was the map made from several?\n";
+        std::cerr << "voxeland-disambiguate: warning: the rawlog lacks the frames of "
+                  << counted(missing, "view") << "; was the map made from several?\n";
     const auto up = estimateUp(map);
     std::vector<DisambiguationQuestion> questions;
     for (UncertainInstance& u : uncertain) {
@@ -148,8 +149,8 @@ std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const Se
 
 void sayEstimate(const Estimate& e)
 {
-    std::cout << e.questions << " questions with " << e.pictures << " pictures, about " << e.tokens
-              << " tokens";
+    std::cout << counted(e.questions, "question") << " with " << counted(e.pictures, "picture")
+              << ", about " << counted(e.tokens, "token");
     if (e.cost > 0) std::cout << ", cost about " << e.cost;
     std::cout << "\n";
 }
@@ -158,8 +159,8 @@ void sayEstimate(const Estimate& e)
 [[noreturn]] void endInterrupted(size_t answered)
 {
     std::cout.flush();
-    std::cerr << "\nvoxeland-disambiguate: interrupted; " << answered
-              << " answers are kept, run the same command again to go on\n";
+    std::cerr << "\nvoxeland-disambiguate: interrupted; keeping " << counted(answered, "answer")
+              << ": run the same command again to go on\n";
     std::_Exit(130);
 }
 
@@ -198,7 +199,7 @@ int ask(Arguments& arguments, CVoxelandMap& map)
     if (!dry) config.disambiguator->start();
     if (!dry && !config.disambiguation.ask_again)
         if (const size_t n = takeOverDecisions(map, arguments.output.getValue()); n > 0)
-            std::cerr << "going on with the " << n << " decisions in '"
+            std::cerr << "going on with " << counted(n, "decision") << " in '"
                       << arguments.output.getValue() << "'\n";
     auto questions = makeQuestions(arguments, map.map(), config);
     if (dry) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CChatCompletionsDisambiguator.h"
 
+#include "voxeland/counted.h"
+
 #include <mrpt/core/initializer.h>
 
 #include <algorithm>
@@ -143,8 +145,8 @@ std::optional<DisambiguationAnswer> CChatCompletionsDisambiguator::ask(
     const DisambiguationQuestion& question) const
 {
     if (m_maxRunTokens > 0 && m_run->tokens >= m_maxRunTokens)
-        throw DisambiguationError(std::to_string(m_run->tokens) +
-                                      " tokens are used, and [disambiguation] max_run_tokens "
+        throw DisambiguationError(counted(m_run->tokens, "token") +
+                                      " used, and [disambiguation] max_run_tokens "
                                       "allows no more: raise it to go on",
                                   true);
     try {
@@ -154,8 +156,7 @@ std::optional<DisambiguationAnswer> CChatCompletionsDisambiguator::ask(
     } catch (const DisambiguationError& e) {
         if (e.fatal || ++m_run->failuresInARow < m_giveUpAfter) throw;
         throw DisambiguationError(std::string(e.what()) + " (the last of " +
-                                      std::to_string(m_giveUpAfter) +
-                                      " questions in a row that failed)",
+                                      counted(m_giveUpAfter, "question") + " in a row to fail)",
                                   true);
     }
 }

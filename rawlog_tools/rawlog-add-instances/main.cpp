@@ -3,6 +3,7 @@
 #include "common/CommandLine.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
+#include "voxeland/counted.h"
 #include "voxeland/datasets/RawlogPredictions.h"
 #include "voxeland/errors.h"
 #include "voxeland/pipeline/MapperConfig.h"
@@ -115,7 +116,7 @@ void printSummary(const AddedPredictions& added, Arguments& arguments)
         std::cout << ", and " << added.predictionsWithoutFrame << " of frames that do not exist";
     std::cout << "\n";
     if (added.replaced > 0)
-        std::cout << "replaced: predictions of " << added.replaced << " frames\n";
+        std::cout << "replaced: predictions of " << counted(added.replaced, "frame") << "\n";
     if (added.rawlogWritten) std::cout << "written: " << files.rawlog.string() << "\n";
     if (!arguments.embed.isSet()) std::cout << "written: " << files.sidecar.string() << "\n";
     if (added.imagesLinked)

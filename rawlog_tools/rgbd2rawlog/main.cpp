@@ -2,6 +2,7 @@
 /** Makes a rawlog from a public RGB-D dataset. */
 #include "common/CommandLine.h"
 #include "common/Progress.h"
+#include "voxeland/counted.h"
 #include "voxeland/datasets/CalibrationCheck.h"
 #include "voxeland/datasets/DatasetImport.h"
 #include "voxeland/errors.h"
@@ -172,8 +173,8 @@ void printSkipped(const std::vector<SkippedFrame>& skipped)
     for (auto& [reason, names] : byReason) {
         const size_t n = names.size();
         names.resize(std::min(n, NAMED));
-        std::cout << "skipped: " << n << " frames, " << reason << " (" << joined(names, ", ")
-                  << (n > NAMED ? ", ..." : "") << ")\n";
+        std::cout << "skipped: " << counted(n, "frame") << ", " << reason << " ("
+                  << joined(names, ", ") << (n > NAMED ? ", ..." : "") << ")\n";
     }
 }
 

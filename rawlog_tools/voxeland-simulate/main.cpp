@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/CommandLine.h"
 #include "common/Progress.h"
+#include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/simulation/SimulationRun.h"
 
@@ -150,11 +151,12 @@ int run(int argc, char** argv)
                             !commandLine.quiet());
     const auto made =
         runSimulation(options, output, [&](size_t frames) { progress.update(frames); });
-    std::cout << output.rawlog << ": " << made.frames << " frames, " << made.rooms << " rooms, "
-              << made.objects << " objects, " << made.predictions << " predictions\n";
+    std::cout << output.rawlog << ": " << counted(made.frames, "frame") << ", "
+              << counted(made.rooms, "room") << ", " << counted(made.objects, "object") << ", "
+              << counted(made.predictions, "prediction") << "\n";
     if (!output.groundTruthFolder.empty())
-        std::cout << output.groundTruthFolder << ": " << made.groundTruthPoints
-                  << " points of surfaces seen\n";
+        std::cout << output.groundTruthFolder << ": " << counted(made.groundTruthPoints, "point")
+                  << " of surfaces seen\n";
     return 0;
 }
 }  // namespace

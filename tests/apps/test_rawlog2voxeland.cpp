@@ -357,7 +357,7 @@ TEST_F(Rawlog2voxeland, PredictionsWithoutAFrameAreCountedTheSameInOneRunAndInTw
     for (const size_t i : {0U, 6U, 11U}) frames[i].scan = nullptr;
     write(frames);
     const auto result = run();
-    EXPECT_NE(result.output.find("predictions of 3 frames that are not there"), std::string::npos)
+    EXPECT_NE(result.output.find("predictions of 3 frames not in the rawlog"), std::string::npos)
         << result.output;
     const std::string whole = mapMade("whole.voxeland", {});
     for (const int last : {3, 4, 5}) {

@@ -111,9 +111,9 @@ TEST_F(Rgbd2Rawlog, skipsAndCountsFramesWithoutAValidPose)
     const auto result = import();
     EXPECT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_NE(result.output.find("frames: 2 of 4 in 7-Scenes\n"
-                                 "skipped: 1 frames, no pose file "
+                                 "skipped: 1 frame, no pose file "
                                  "(seq-01/frame-000002.color.png)\n"
-                                 "skipped: 1 frames, pose is not a rigid transform "
+                                 "skipped: 1 frame, pose is not a rigid transform "
                                  "(seq-01/frame-000001.color.png)\n"),
               std::string::npos)
         << result.output;

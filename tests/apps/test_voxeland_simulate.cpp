@@ -46,7 +46,7 @@ TEST_F(VoxelandSimulate, WritesARawlogASidecarImagesAndTheGroundTruth)
     const auto result = simulate(path("sim.rawlog"), {"--gt", path("truth")});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_EQ(result.errors, "");
-    EXPECT_NE(result.output.find("4 frames, 1 rooms"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find("4 frames, 1 room,"), std::string::npos) << result.output;
     for (const auto* name :
          {"sim.rawlog", "sim.instances.rawlog", "sim_Images", "truth/ground_truth.ply",
           "truth/categories.csv", "truth/objects.csv", "truth/trajectory.tum"})

@@ -145,7 +145,7 @@ TEST(MapAnswers, aPlaceIsToldInItsLikeliestCategories)
     test::addVoxel(map, {9, 9, 9}, {{test::addInstance(map, beta), 1}});
     const PlaceAnswer answer = askPlace(map, {0.95, 0.95, 0.95});
     EXPECT_EQ(answer.categories.size(), 8U);
-    EXPECT_NE(asText(answer).find("and 3 less likely ones"), std::string::npos);
+    EXPECT_NE(asText(answer).find("and 3 categories less likely"), std::string::npos);
     EXPECT_EQ(asText(askPlace(map, {0.05, 0.05, 0.05})).find("less likely"), std::string::npos);
 }
 

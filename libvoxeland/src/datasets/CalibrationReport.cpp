@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/counted.h"
 #include "voxeland/datasets/CalibrationCheck.h"
 
 #include <cmath>
@@ -35,8 +36,8 @@ std::string CalibrationFinding::text() const
     for (const auto& [reason, count] : unusable)
         out << "skipped: " << count << " of the frames read, " << reason << "\n";
     if (verdict != Verdict::nothing) {
-        out << "surfaces seen twice: " << pairs << " pairs of frames, " << asGiven.points
-            << " points, median disagreement\n";
+        out << "surfaces seen twice: " << counted(pairs, "pair") << " of frames, "
+            << counted(asGiven.points, "point") << ", median disagreement\n";
         print(out, titled("as given (depth scale ", asGiven.depthScale), asGiven);
         print(out, "poses inverted", invertedPoses);
         print(out, titled("best other depth scale (", otherDepthScale.depthScale), otherDepthScale);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Csv.h"
 
+#include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/joined.h"
 
@@ -53,7 +54,7 @@ std::vector<std::vector<std::string>> parseCsv(const std::string& text,
         rows.push_back(fieldsOf(line));
         if (rows.back().size() != header.size())
             throw InputError("line " + std::to_string(number) + " of " + source + " has " +
-                             std::to_string(rows.back().size()) + " fields instead of " +
+                             counted(rows.back().size(), "field") + " instead of " +
                              std::to_string(header.size()) + ".");
     }
     return rows;

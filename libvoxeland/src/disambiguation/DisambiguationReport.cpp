@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/DisambiguationReport.h"
 
+#include "voxeland/counted.h"
 #include "voxeland/map/MapQueries.h"
 
 #include <mrpt/core/format.h>
@@ -82,9 +83,9 @@ std::string DisambiguationReport::asText() const
         tokens += d->promptTokens + d->answerTokens;
         cost += d->cost;
     }
-    text += format("asked about %zu objects: %zu decided, %zu of them changed category", all.size(),
-                   decided, changed);
-    if (tokens > 0) text += format("; %llu tokens", static_cast<unsigned long long>(tokens));
+    text += format("asked about %s: %zu decided, %zu of them changed category",
+                   counted(all.size(), "object").c_str(), decided, changed);
+    if (tokens > 0) text += "; " + counted(tokens, "token");
     if (cost > 0) text += format(", cost %.4f", cost);
     return text + "\n";
 }

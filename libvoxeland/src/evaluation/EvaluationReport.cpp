@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/evaluation/EvaluationReport.h"
 
+#include "voxeland/counted.h"
+
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -51,7 +53,7 @@ void writeClass(std::ostream& out, const ClassMetrics& m)
 void writeUncertainty(std::ostream& out, const UncertaintyMetrics& u)
 {
     out << "  category entropy:   AUROC " << decimal(u.auroc) << " against a wrong category ("
-        << u.wrong << " of " << u.judged << " matched instances are wrong)\n"
+        << u.wrong << " of " << counted(u.judged, "matched instance") << " wrong)\n"
         << "  category probability: expected calibration error " << decimal(u.calibrationError)
         << " (10 bins)\n"
         << "  suggested threshold: ";
@@ -61,7 +63,7 @@ void writeUncertainty(std::ostream& out, const UncertaintyMetrics& u)
     else
         out << "none, entropy does not tell right from wrong here\n";
     out << "  instance entropy:   AUROC " << decimal(u.pointAuroc) << " against a wrong instance ("
-        << u.wrongPoints << " of " << u.judgedPoints << " points are wrong)\n";
+        << u.wrongPoints << " of " << counted(u.judgedPoints, "point") << " wrong)\n";
 }
 
 void writeMetrics(std::ostream& out, const Metrics& m)
@@ -71,9 +73,9 @@ void writeMetrics(std::ostream& out, const Metrics& m)
     writeClass(out, m.mean);
     writeClass(out, m.agnostic);
     const SegmentationCounts& s = m.segmentation;
-    out << "  segmentation: " << s.coveredObjects << " of " << s.objects << " objects covered, "
-        << s.overSegmented << " over-segmented; " << s.underSegmented << " of " << s.instances
-        << " instances under-segmented\n";
+    out << "  segmentation: " << s.coveredObjects << " of " << counted(s.objects, "object")
+        << " covered, " << s.overSegmented << " over-segmented; " << s.underSegmented << " of "
+        << counted(s.instances, "instance") << " under-segmented\n";
     writeUncertainty(out, m.uncertainty);
 }
 
@@ -88,9 +90,9 @@ void writeProtocol(std::ostream& out, const LabelMap& labels, const EvaluationPr
     out << "\n"
         << "  a ground-truth point takes the instance of its voxel, else of the nearest occupied "
            "voxel in reach\n"
-        << "  score: " << toString(protocol.score) << "; at least " << protocol.minPoints
-        << " points an instance; void " << (ignore ? "is ignored" : "counts as false positive")
-        << "\n"
+        << "  score: " << toString(protocol.score) << "; at least "
+        << counted(protocol.minPoints, "point") << " an instance; void "
+        << (ignore ? "is ignored" : "counts as false positive") << "\n"
         << "  AP: ScanNet, mean over IoU > 0.50, 0.55, ... 0.90; AP50, AP25: ScanNet at one "
            "threshold; VOC50: all-point area, IoU > 0.50\n"
         << "  PQ, SQ, RQ: panoptic quality, IoU > 0.50; mean: over the classes with objects; "

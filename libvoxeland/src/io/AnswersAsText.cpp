@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/AnswersAsText.h"
 
+#include "voxeland/counted.h"
+
 #include <mrpt/core/format.h>
 
 #include <algorithm>
@@ -42,9 +44,10 @@ std::string asText(const MapOverview& o)
     text += format(
         "frames         %u mapped, %u of them without predictions, %u left out without pose\n",
         o.counts.frames, o.counts.framesWithoutPredictions, o.counts.framesWithoutPose);
-    text += format("instances      %zu, from %u opinions", o.instances, o.counts.opinions);
+    text += format("instances      %zu, from %s", o.instances,
+                   counted(o.counts.opinions, "opinion").c_str());
     if (o.dismissed > 0)
-        text += format("; %zu more have too little evidence to be shown", o.dismissed);
+        text += format("; %zu more with too little evidence to be shown", o.dismissed);
     text += "\n";
     for (const auto& [name, count] : o.categories)
         text += format("               %u %s\n", count, name.c_str());
@@ -78,8 +81,8 @@ std::string asText(const std::vector<ReobservationTarget>& targets)
     for (const ReobservationTarget& t : targets) {
         const std::string name =
             t.instance ? format("%u %s", *t.instance, t.category.c_str()) : "region";
-        text += format("%.3f nat  %s, %zu voxels around (%s)\n", t.uncertainty, name.c_str(),
-                       t.voxels, xyz(t.center).c_str());
+        text += format("%.3f nat  %s, %s around (%s)\n", t.uncertainty, name.c_str(),
+                       counted(t.voxels, "voxel").c_str(), xyz(t.center).c_str());
         for (const CameraPose& p : t.poses)
             text += format(
                 "           from (%s), yaw %.0f, pitch %.0f deg: %.1f m away, %.0f %% "
@@ -112,7 +115,8 @@ std::string asText(const PlaceAnswer& a)
         text += format("        p %.3f  %s\n", a.categories[i].probability,
                        a.categories[i].name.c_str());
     if (shown < a.categories.size())
-        text += format("        and %zu less likely ones\n", a.categories.size() - shown);
+        text += format("        and %s less likely\n",
+                       counted(a.categories.size() - shown, "category", "categories").c_str());
     text += format("entropy         instance %.3f, its category %.3f, voxel's category %.3f nat\n",
                    a.instanceEntropy, a.winnerCategoryEntropy, a.categoryEntropy);
     return text;

@@ -2,6 +2,7 @@
 #include "voxeland/io/InstanceExplanation.h"
 
 #include "JsonValues.h"
+#include "voxeland/counted.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/system/datetime.h>
@@ -56,11 +57,11 @@ std::string decisionsAsText(const SemanticVoxelMap& map, const Instance& instanc
     std::string text;
     for (const Decision& d : instance.decisions)
         text += format(
-            "decision        %s: evidence %.3f, by %s (%s), %.1f s, %llu tokens\n"
+            "decision        %s: evidence %.3f, by %s (%s), %.1f s, %s\n"
             "                \"%s\"\n",
             map.categories().name(d.category).c_str(), d.evidence, d.source.c_str(),
-            d.model.c_str(), d.seconds,
-            static_cast<unsigned long long>(d.promptTokens + d.answerTokens), d.answer.c_str());
+            d.model.c_str(), d.seconds, counted(d.promptTokens + d.answerTokens, "token").c_str(),
+            d.answer.c_str());
     return text;
 }
 
@@ -105,10 +106,11 @@ std::string explanationAsText(const SemanticVoxelMap& map, instance_id_t id)
     std::string text = format(
         "instance        %u, %s\n"
         "entropy         %.3f nat (%s), vacuity %.3f\n"
-        "seen            %u times, frames %u to %u, part of %u voxels\n",
+        "seen            %s, frames %u to %u, part of %s\n",
         id, ranked.empty() ? UNKNOWN_CATEGORY : ranked.front().name.c_str(),
         categoryEntropy(map, i), toString(map.options().entropy).c_str(), categoryVacuity(map, i),
-        i.observations, i.firstFrame, i.lastFrame, i.voxels);
+        counted(i.observations, "time").c_str(), i.firstFrame, i.lastFrame,
+        counted(i.voxels, "voxel").c_str());
     text += categoriesAsText(map, i);
     for (const InstanceEvent& e : i.history)
         text += e.kind == InstanceEvent::Kind::merged

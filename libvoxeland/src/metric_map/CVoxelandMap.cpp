@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/metric_map/CVoxelandMap.h"
 
+#include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/LevelFrame.h"
 #include "voxeland/io/MapScene.h"
@@ -122,9 +123,9 @@ bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
 std::string CVoxelandMap::asString() const
 {
     std::ostringstream text;
-    text << "voxeland map: evidence for " << m_map->instances().size() << " instances of "
-         << m_map->categories().size() << " categories, " << m_counts.frames
-         << " frames, voxels of " << m_map->resolution() << " m";
+    text << "voxeland map: evidence for " << counted(m_map->instances().size(), "instance")
+         << " of " << counted(m_map->categories().size(), "category", "categories") << ", "
+         << counted(m_counts.frames, "frame") << ", voxels of " << m_map->resolution() << " m";
     return text.str();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/CObservationInstances.h"
 
+#include "voxeland/counted.h"
+
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>
 
@@ -78,7 +80,7 @@ void CObservationInstances::serializeFrom(mrpt::serialization::CArchive& in, uin
 void CObservationInstances::getDescriptionAsText(std::ostream& o) const
 {
     CObservation::getDescriptionAsText(o);
-    o << instances.size() << " predicted instances in an image of " << imageWidth << "x"
+    o << counted(instances.size(), "predicted instance") << " in an image of " << imageWidth << "x"
       << imageHeight << " pixels\n";
     for (const auto& i : instances) {
         o << "  score " << i.score << ", " << i.mask.area() << " pixels, box (" << i.box.x << ","

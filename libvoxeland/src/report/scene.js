@@ -307,7 +307,8 @@ canvas.addEventListener('pointermove', event => {
   tip.hidden = !object;
   if (!object) return;
   tip.textContent = nameOf(object) + ': ' + percent(object.probability) + ' ' + object.category +
-    ', entropy ' + object.entropy.toFixed(2) + ' nat, seen ' + object.observations + ' times';
+    ', entropy ' + object.entropy.toFixed(2) + ' nat, seen ' + object.observations +
+    (object.observations === 1 ? ' time' : ' times');
   const frame = canvas.getBoundingClientRect();
   tip.style.left = Math.min(event.clientX - frame.left + 14, frame.width - 220) + 'px';
   tip.style.top = event.clientY - frame.top + 14 + 'px';

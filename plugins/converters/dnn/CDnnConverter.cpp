@@ -2,6 +2,7 @@
 #include "CDnnConverter.h"
 
 #include "ClassNames.h"
+#include "voxeland/counted.h"
 #include "voxeland/datasets/CategoryNames.h"
 #include "voxeland/errors.h"
 #include "voxeland/plugins/ClusteringKeys.h"
@@ -97,8 +98,8 @@ void CDnnConverter::nameClasses()
     const auto classes = static_cast<size_t>(m_network->classes());
     if (classes > 0 && m_classNames.size() != classes)
         throw ConfigurationError("'" + (m_labels.empty() ? m_files.model : m_labels) + "' names " +
-                                 std::to_string(m_classNames.size()) +
-                                 " classes but the network tells " + std::to_string(classes) +
+                                 counted(m_classNames.size(), "class", "classes") +
+                                 " but the network tells " + std::to_string(classes) +
                                  " apart: give its own names with [converter] labels");
 }
 
