@@ -155,6 +155,13 @@ void sayEstimate(const Estimate& e)
     std::cout << "\n";
 }
 
+void sayTooSmall(const SemanticVoxelMap& map, const DisambiguationOptions& options)
+{
+    if (const size_t n = countTooSmallToAsk(map, options); n > 0)
+        std::cout << "not asked about " << counted(n, "uncertain object") << " of fewer than "
+                  << counted(options.min_voxels, "voxel") << " ([disambiguation] min_voxels)\n";
+}
+
 /** Ends the program without waiting for what is being asked. */
 [[noreturn]] void endInterrupted(size_t answered)
 {
@@ -205,11 +212,13 @@ int ask(Arguments& arguments, CVoxelandMap& map)
     if (dry) {
         writeQuestions(questions, config.disambiguation, arguments.dryRun.getValue());
         sayEstimate(estimate(questions, config.disambiguation));
+        sayTooSmall(map.map(), config.disambiguation);
         return 0;
     }
     saveMap(map, arguments.output.getValue());
     const DisambiguationReport report = askAll(arguments, map, config, std::move(questions));
     std::cout << report.asText();
+    sayTooSmall(map.map(), config.disambiguation);
     for (const ReportedQuestion& q : report.questions())
         if (q.outcome.failed)
             throw DisambiguationError("some questions have no answer: " + q.outcome.problem +

@@ -182,6 +182,7 @@ TEST_F(Disambiguate, ADryRunWritesTheQuestionsAndAsksNobody)
             "");
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_NE(result.output.find("2 questions"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find(" of fewer than 20 voxels"), std::string::npos) << result.output;
     const json questions = json::parse(test::readFile(file("dry/questions.json")));
     ASSERT_EQ(questions.at("questions").size(), 2U);
     EXPECT_GT(questions.at("estimated_cost"), 0);
@@ -197,8 +198,10 @@ TEST_F(Disambiguate, ADryRunWritesTheQuestionsAndAsksNobody)
 
 TEST_F(Disambiguate, TheBaselineChangesNoCategory)
 {
-    const auto result = run({"--report", file("report.json")});
+    const auto result =
+        run({"--report", file("report.json"), "--set", "disambiguation.min_voxels=100"});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(result.output.find(" of fewer than 100 voxels"), std::string::npos) << result.output;
     for (const json& q : report())
         EXPECT_EQ(q.at("before").at("category"), q.at("after").at("category"));
 }

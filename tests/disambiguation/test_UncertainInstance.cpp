@@ -60,8 +60,13 @@ TEST(UncertainInstances, SmallOnesDecidedOnesAndUnseenOnesAreLeftOut)
     map.instance(decided).decisions.push_back(decision);
     map.instance(unseen).views = {};
     EXPECT_EQ(idsOf(map, above(0.5)), (Ids{asked}));
+    EXPECT_EQ(countTooSmallToAsk(map, above(0.5)), 1U);
+    EXPECT_EQ(countTooSmallToAsk(map, above(0.7)), 0U) << "small but certain";
     auto options = above(0.5);
+    options.min_voxels = 31;
+    EXPECT_EQ(countTooSmallToAsk(map, options), 3U) << "all but the decided one";
     options.ask_again = true;
+    EXPECT_EQ(countTooSmallToAsk(map, options), 4U);
     options.min_voxels = 19;
     EXPECT_EQ(idsOf(map, options), (Ids{small, asked, decided}));
 }

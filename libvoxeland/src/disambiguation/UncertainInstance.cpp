@@ -7,10 +7,11 @@ namespace voxeland
 {
 namespace
 {
-bool isToBeAsked(const InstanceSummary& summary, const Instance& instance,
+/** Whether an instance is worth a question, whatever its size. */
+bool isUndecided(const InstanceSummary& summary, const Instance& instance,
                  const DisambiguationOptions& options)
 {
-    return summary.entropy > options.entropy_threshold && summary.voxels >= options.min_voxels &&
+    return summary.entropy > options.entropy_threshold &&
            (options.ask_again || instance.decisions.empty());
 }
 
@@ -32,7 +33,8 @@ std::vector<UncertainInstance> uncertainInstances(const SemanticVoxelMap& map,
     std::vector<UncertainInstance> uncertain;
     for (const InstanceSummary& summary : summarizeInstances(map)) {
         const Instance& instance = map.instance(summary.id);
-        if (!isToBeAsked(summary, instance, options)) continue;
+        if (summary.voxels < options.min_voxels || !isUndecided(summary, instance, options))
+            continue;
         UncertainInstance u;
         u.id = summary.id;
         u.entropy = summary.entropy;
@@ -47,5 +49,15 @@ std::vector<UncertainInstance> uncertainInstances(const SemanticVoxelMap& map,
     if (options.max_questions > 0 && uncertain.size() > options.max_questions)
         uncertain.resize(options.max_questions);
     return uncertain;
+}
+
+size_t countTooSmallToAsk(const SemanticVoxelMap& map, const DisambiguationOptions& options)
+{
+    const auto all = summarizeInstances(map);
+    const auto count = std::count_if(all.begin(), all.end(), [&](const InstanceSummary& summary) {
+        return summary.voxels < options.min_voxels &&
+               isUndecided(summary, map.instance(summary.id), options);
+    });
+    return static_cast<size_t>(count);
 }
 }  // namespace voxeland

@@ -32,4 +32,8 @@ struct UncertainInstance
  * shows are left out. */
 std::vector<UncertainInstance> uncertainInstances(const SemanticVoxelMap& map,
                                                   const DisambiguationOptions& options);
+
+/** How many instances are as uncertain but of fewer than DisambiguationOptions::min_voxels voxels.
+ */
+size_t countTooSmallToAsk(const SemanticVoxelMap& map, const DisambiguationOptions& options);
 }  // namespace voxeland
