@@ -7,6 +7,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <set>
 
 using namespace voxeland;
 
@@ -87,6 +88,16 @@ std::map<instance_id_t, QuestionOutcome> askAll(Asking& asking)
     return all;
 }
 }  // namespace
+
+TEST(Asking, EachAttemptHasWordsOfItsOwn)
+{
+    const auto backend = scripted({{7, {"hm"}}});
+    askUntilUsable(*backend, question(7), {});
+    const auto& prompts = backend->prompts[7];
+    EXPECT_EQ(prompts.size(), 3U);
+    EXPECT_EQ(std::set<std::string>(prompts.begin(), prompts.end()).size(), 3U)
+        << "a recorded answer belongs to the words of its question";
+}
 
 TEST(Asking, ADecisionRemembersWhoSaidWhatAndWhatItTook)
 {

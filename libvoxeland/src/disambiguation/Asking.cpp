@@ -38,7 +38,7 @@ QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQues
             outcome.decision = decision;
             return outcome;
         }
-        question.prompt = firstPrompt + askedAgain(question);
+        question.prompt = firstPrompt + askedAgain(question, attempt + 1);
     }
     outcome.problem = "no answer names exactly one candidate, the last was: " + decision.answer;
     return outcome;

@@ -73,9 +73,10 @@ std::string Prompt::words(const DisambiguationQuestion& question) const
     return words;
 }
 
-std::string askedAgain(const DisambiguationQuestion& question)
+std::string askedAgain(const DisambiguationQuestion& question, uint32_t attempt)
 {
-    return "\nYour last answer could not be used. Answer with one line only: \"The object category "
+    return "\nAttempt " + std::to_string(attempt) +
+           ": your last answer could not be used. Answer with one line only: \"The object category "
            "is <category>\", <category> being exactly one of: " +
            namesOf(question) + ", unknown.\n";
 }

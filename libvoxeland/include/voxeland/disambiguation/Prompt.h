@@ -23,6 +23,8 @@ class Prompt
     std::string m_template;
 };
 
-/** What is added to a question whose answer could not be used. */
-std::string askedAgain(const DisambiguationQuestion& question);
+/** What is added to a question whose answer could not be used.
+ *  \param attempt number of the time it is asked, from 2; part of the words, since recorded and
+ * cached answers belong to the words of a question */
+std::string askedAgain(const DisambiguationQuestion& question, uint32_t attempt);
 }  // namespace voxeland
