@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChatProtocol.h"
 
+#include "voxeland/trimmed.h"
+
 #include <mrpt/system/string_utils.h>
 
 #include <algorithm>
@@ -28,13 +30,6 @@ bool removeEnd(std::string& text, const std::string& end)
         return false;
     text.resize(text.size() - end.size());
     return true;
-}
-
-std::string trimmed(const std::string& text)
-{
-    const size_t first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 /** Some servers leave what a model thinks before it answers in the answer. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HttpPost.h"
 
+#include "voxeland/trimmed.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -40,10 +42,8 @@ size_t receiveHeader(const char* data, size_t, size_t bytes, void* reply)
 {
     const std::string line(data, bytes);
     const size_t colon = line.find(':');
-    const size_t first = line.find_first_not_of(" \t", colon + 1);
-    const size_t last = line.find_last_not_of(" \t\r\n");
-    if (colon == std::string::npos || first == std::string::npos || last < first) return bytes;
-    const std::string name = line.substr(0, colon), value = line.substr(first, last - first + 1);
+    if (colon == std::string::npos) return bytes;
+    const std::string name = line.substr(0, colon), value = trimmed(line.substr(colon + 1));
     auto& to = *static_cast<HttpReply*>(reply);
     if (strcasecmp(name.c_str(), "retry-after") == 0) to.retryAfter = secondsToWait(value);
     if (strcasecmp(name.c_str(), "location") == 0) to.location = value;

@@ -3,6 +3,7 @@
 
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/OutputFolder.h"
+#include "voxeland/trimmed.h"
 
 #include <nlohmann/json.hpp>
 
@@ -82,10 +83,9 @@ std::string readPersonsAnswer(const fs::path& file)
     std::ifstream in(file);
     std::string text;
     for (std::string line; std::getline(in, line);) {
-        const size_t first = line.find_first_not_of(" \t\r");
-        if (first == std::string::npos || line[first] == '#') continue;
-        const size_t last = line.find_last_not_of(" \t\r");
-        text += (text.empty() ? "" : "\n") + line.substr(first, last - first + 1);
+        const std::string words = trimmed(line);
+        if (words.empty() || words[0] == '#') continue;
+        text += (text.empty() ? "" : "\n") + words;
     }
     return text;
 }

@@ -4,6 +4,7 @@
 #include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/joined.h"
+#include "voxeland/trimmed.h"
 
 #include <sstream>
 
@@ -11,14 +12,6 @@ namespace voxeland
 {
 namespace
 {
-std::string trimmed(const std::string& text)
-{
-    const auto first = text.find_first_not_of(" \t\r");
-    return first == std::string::npos
-               ? ""
-               : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::vector<std::string> fieldsOf(const std::string& line)
 {
     std::vector<std::string> fields(1);

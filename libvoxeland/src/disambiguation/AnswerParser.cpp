@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/AnswerParser.h"
 
+#include "voxeland/trimmed.h"
+
 #include <algorithm>
 #include <cctype>
 #include <set>
@@ -28,13 +30,6 @@ std::string words(const std::string& text, bool sentences)
             result += ' ';
     }
     return result;
-}
-
-std::string trimmed(const std::string& text)
-{
-    const size_t first = text.find_first_not_of(' ');
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 /** What may be answered, long names first. */

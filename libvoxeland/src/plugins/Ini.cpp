@@ -2,6 +2,7 @@
 #include "voxeland/plugins/Ini.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/trimmed.h"
 
 #include <filesystem>
 #include <fstream>
@@ -25,13 +26,11 @@ void checkLines(const std::string& text, const std::string& origin)
     size_t number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
-        const size_t first = line.find_first_not_of(" \t\r");
-        const size_t last = line.find_last_not_of(" \t\r");
-        const bool follows =
-            std::exchange(continued, first != std::string::npos && line[last] == '\\');
-        if (first == std::string::npos || follows) continue;
-        const bool special = std::string("#;[@").find(line[first]) != std::string::npos;
-        if (special || line.compare(first, 2, "//") == 0) continue;
+        const std::string words = trimmed(line);
+        const bool follows = std::exchange(continued, !words.empty() && words.back() == '\\');
+        if (words.empty() || follows) continue;
+        const bool special = std::string("#;[@").find(words[0]) != std::string::npos;
+        if (special || words.compare(0, 2, "//") == 0) continue;
         if (line.find('=') == std::string::npos)
             throw ConfigurationError("line " + std::to_string(number) + " of '" + origin +
                                      "' is neither '[section]' nor 'key = value'");
