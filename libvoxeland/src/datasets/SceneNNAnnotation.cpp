@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneNNAnnotation.h"
 
-#include "../observations/PixelDirections.h"
 #include "AnnotatedObjects.h"
 #include "voxeland/datasets/GroundTruth.h"
+#include "voxeland/observations/PixelDirections.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/CPose3D.h>

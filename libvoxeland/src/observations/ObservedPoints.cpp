@@ -2,7 +2,7 @@
 #include "voxeland/observations/ObservedPoints.h"
 
 #include "DepthImageCheck.h"
-#include "PixelDirections.h"
+#include "voxeland/observations/PixelDirections.h"
 
 #include <mrpt/maps/CPointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PixelGrouping.h"
 
-#include "PixelDirections.h"
 #include "voxeland/grid/CoordHash.h"
+#include "voxeland/observations/PixelDirections.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
