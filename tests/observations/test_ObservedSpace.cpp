@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Frames.h"
+#include "voxeland/grid/RayTraversal.h"
 #include "voxeland/observations/ObservedSpace.h"
 
 #include <gtest/gtest.h>
@@ -34,9 +35,10 @@ std::set<VoxelCoord> voxelsOf(const ObservedSpace& space, Seen what)
     return voxels;
 }
 
-VoxelizedFrame frameOf(const test::DepthOfPixel& depth, const mrpt::poses::CPose3D& pose = {})
+VoxelizedFrame frameOf(const test::DepthOfPixel& depth, const mrpt::poses::CPose3D& pose = {},
+                       double resolution = RESOLUTION)
 {
-    return VoxelizedFrame({test::makeScan(depth), nullptr, pose}, RESOLUTION, {});
+    return VoxelizedFrame({test::makeScan(depth), nullptr, pose}, resolution, {});
 }
 
 /** Voxels that points sampled finely along a segment fall in. */
@@ -93,6 +95,29 @@ TEST(ObservedSpace, AgreesWithBruteForce)
     for (const auto& v : behind) ASSERT_EQ(foundBehind.count(v), 1u);
     EXPECT_LE(100 * foundPassed.size(), 101 * passed.size());
     EXPECT_LE(100 * foundBehind.size(), 102 * behind.size());
+}
+
+TEST(ObservedSpace, BlocksFarApartDoNotMix)
+{
+    // At 2 cm the view is 25 blocks deep, and rays of some 20 to 400 voxels are cast together.
+    const double resolution = 0.02, margin = 0.1;
+    const auto frame =
+        frameOf([](int c, int r) { return 0.35 + 0.045 * ((7 * c + 3 * r) % 80); },
+                mrpt::poses::CPose3D(0.402, -0.003, 0.001, -0.7, 0.4, 0.1), resolution);
+    std::set<VoxelCoord> hits, passed, behind;
+    for (const HitVoxel& h : frame.hits()) {
+        hits.insert(h.coord);
+        traverseRay(frame.origin(), h.centroid, 1 / resolution,
+                    [&](const VoxelCoord& v) { passed.insert(v); });
+        const TPoint3D direction = (h.centroid - frame.origin()).unitarize();
+        traverseRay(h.centroid, h.centroid + direction * margin, 1 / resolution,
+                    [&](const VoxelCoord& v) { behind.insert(v); });
+    }
+    for (const VoxelCoord& v : hits) passed.erase(v);
+    const auto space = castRays(frame, margin);
+    EXPECT_EQ(voxelsOf(space, Seen::hit), hits);
+    EXPECT_EQ(voxelsOf(space, Seen::passed), passed);
+    EXPECT_EQ(voxelsOf(space, Seen::behind), behind);
 }
 
 TEST(ObservedSpace, AMeasuredVoxelIsNeverFree)

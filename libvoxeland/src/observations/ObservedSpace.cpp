@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/ObservedSpace.h"
 
-#include "voxeland/grid/RayTraversal.h"
+#include "voxeland/grid/RayBundle.h"
 
+#include <algorithm>
 #include <array>
 
 using mrpt::math::TPoint3D;
@@ -11,60 +12,146 @@ namespace voxeland
 {
 namespace
 {
-/** Marks cells in one of the masks; successive ones are mostly of the same block. */
-template <CellMask ObservedBlock::*MASK>
-class Marker
+/** The lowest BITS bits of packed coordinates side by side, x lowest. One multiplication moves all
+ *  three. */
+template <int BITS>
+size_t lowBits(uint64_t key)
+{
+    constexpr int X = 2 * PACKED_BITS;  // where x goes; y and z go next to it
+    constexpr uint64_t AXIS = (1u << BITS) - 1;
+    constexpr uint64_t ALL = AXIS | (AXIS << PACKED_BITS) | (AXIS << (2 * PACKED_BITS));
+    constexpr uint64_t MOVES =
+        (uint64_t{1} << X) | (uint64_t{1} << (PACKED_BITS + BITS)) | (uint64_t{1} << (2 * BITS));
+    return (((key & ALL) * MOVES) >> X) & ((1u << (3 * BITS)) - 1);
+}
+
+/** Finds blocks by the keys of their voxels: packed() coordinates relative to a center, none of
+ *  them negative. */
+class BlockFinder
 {
  public:
-    explicit Marker(ObservedSpace& space) : m_space(space) {}
-
-    void operator()(const VoxelCoord& v)
+    BlockFinder(const VoxelCoord& center, ObservedSpace& space)
+        : m_space(space), m_base(voxelAt(blockOf(center), 0)), m_slots(size_t{1} << (3 * SLOT_BITS))
     {
-        // Any coordinate that differs above its lowest three bits: another block.
-        const int32_t change = (v.x ^ m_last.x) | (v.y ^ m_last.y) | (v.z ^ m_last.z);
-        if ((change & ~(BLOCK_SIDE - 1)) != 0 || m_mask == nullptr) enter(v);
-        m_mask->set(cellOf(v));
+    }
+
+    [[nodiscard]] uint64_t keyOf(const VoxelCoord& v) const
+    {
+        return packed({v.x - m_base.x + MIDDLE, v.y - m_base.y + MIDDLE, v.z - m_base.z + MIDDLE});
+    }
+    static int cellOf(uint64_t key) { return static_cast<int>(lowBits<3>(key)); }
+
+    ObservedBlock& at(uint64_t key)
+    {
+        // To look up every cell's block is faster than to remember the block until the ray leaves
+        // it, which processors cannot predict.
+        Slot& slot = m_slots[lowBits<SLOT_BITS>(key >> 3)];
+        if (slot.block != (key & ~CELL)) fill(slot, key);
+        return *slot.observed;
     }
 
  private:
-    __attribute__((noinline)) void enter(const VoxelCoord& v)
-    {
-        // Neighbouring rays go through the same blocks: remember where the last ones were.
-        const VoxelCoord block = blockOf(v);
-        Visited& visited = m_visited[static_cast<size_t>(cellOf(block))];
-        if (visited.mask == nullptr || visited.block != block)
-            visited = {block, &(m_space.at(block).*MASK)};
-        m_last = v;
-        m_mask = visited.mask;
-    }
+    static constexpr int SLOT_BITS = 4;  //!< of each axis: blocks in a cube of 2^4 never collide
+    static constexpr uint64_t CELL =
+        7 | (uint64_t{7} << PACKED_BITS) | (uint64_t{7} << (2 * PACKED_BITS));
+    static constexpr int32_t MIDDLE = 1 << (PACKED_BITS - 1);
 
-    struct Visited
+    struct Slot
     {
-        VoxelCoord block;
-        CellMask* mask = nullptr;
+        uint64_t block = CELL;  //!< key without the bits of CELL; initially that of no block
+        ObservedBlock* observed = nullptr;
     };
 
+    __attribute__((noinline)) void fill(Slot& slot, uint64_t key)
+    {
+        constexpr uint64_t AXIS = (1u << PACKED_BITS) - 1;
+        const auto x = static_cast<int32_t>(key & AXIS) - MIDDLE;
+        const auto y = static_cast<int32_t>((key >> PACKED_BITS) & AXIS) - MIDDLE;
+        const auto z = static_cast<int32_t>((key >> (2 * PACKED_BITS)) & AXIS) - MIDDLE;
+        slot = {key & ~CELL, &m_space.at(blockOf(m_base + VoxelCoord{x, y, z}))};
+    }
+
     ObservedSpace& m_space;
-    VoxelCoord m_last;  //!< a voxel of the current block
-    CellMask* m_mask = nullptr;
-    std::array<Visited, BLOCK_CELLS> m_visited;  //!< by the low bits of the block's coordinates
+    VoxelCoord m_base;
+    std::vector<Slot> m_slots;
+};
+
+int32_t stepsBetween(const VoxelCoord& a, const VoxelCoord& b)
+{
+    return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
+}
+
+/** Casts rays and marks the cells they go through, RayBundle::RAYS at a time. */
+class RayCaster
+{
+ public:
+    RayCaster(const VoxelizedFrame& frame, double margin, ObservedSpace& space)
+        : m_origin(frame.origin()),
+          m_start(voxelOf(m_origin, 1 / frame.resolution())),
+          m_inverseResolution(1 / frame.resolution()),
+          m_margin(margin),
+          m_blocks(m_start, space)
+    {
+    }
+
+    void cast(const HitVoxel* hits, size_t rays)
+    {
+        int32_t longest = 0;
+        for (size_t r = 0; r < rays; ++r) longest = std::max(longest, aim(r, hits[r].centroid));
+        for (m_done = 0; m_done <= longest; m_done += STEPS) {
+            m_rays.walk(STEPS, m_keys.data());
+            for (size_t r = 0; r < rays; ++r) {
+                mark<&ObservedBlock::passed>(r, 0, m_toHit[r]);
+                mark<&ObservedBlock::behind>(r, m_toHit[r], m_toEnd[r]);
+            }
+        }
+    }
+
+ private:
+    static constexpr int32_t STEPS = 16;
+
+    /** \return steps to the end of the ray */
+    int32_t aim(size_t ray, const TPoint3D& point)
+    {
+        const TPoint3D direction = point - m_origin;
+        const TPoint3D end = point + direction * (m_margin / direction.norm());
+        const GridRay way(m_origin, end, m_inverseResolution);
+        m_rays.set(ray, way, m_blocks.keyOf(m_start));
+        m_toHit[ray] = stepsBetween(m_start, voxelOf(point, m_inverseResolution));
+        m_toEnd[ray] = way.steps;
+        return way.steps;
+    }
+
+    /** Marks a ray's cells from the first to the last, as far as they are among m_keys. */
+    template <CellMask ObservedBlock::*MASK>
+    void mark(size_t ray, int32_t first, int32_t last)
+    {
+        const int32_t end = std::min(last + 1 - m_done, STEPS);
+        for (int32_t s = std::max(first - m_done, 0); s < end; ++s) {
+            const uint64_t key = m_keys[static_cast<size_t>(s) * RayBundle::RAYS + ray];
+            (m_blocks.at(key).*MASK).set(BlockFinder::cellOf(key));
+        }
+    }
+
+    TPoint3D m_origin;
+    VoxelCoord m_start;
+    double m_inverseResolution, m_margin;
+    BlockFinder m_blocks;
+    RayBundle m_rays;
+    std::array<int32_t, RayBundle::RAYS> m_toHit{}, m_toEnd{};  //!< steps from m_start
+    int32_t m_done = 0;                                         //!< steps before those of m_keys
+    std::array<uint64_t, STEPS * RayBundle::RAYS> m_keys{};
 };
 }  // namespace
 
 ObservedSpace castRays(const VoxelizedFrame& frame, double visibilityMargin)
 {
     ObservedSpace space;
-    Marker<&ObservedBlock::passed> markPassed(space);
-    Marker<&ObservedBlock::hit> markHit(space);
-    Marker<&ObservedBlock::behind> markBehind(space);
-    const double inverseResolution = 1 / frame.resolution();
-    for (const HitVoxel& h : frame.hits()) {
-        traverseRay(frame.origin(), h.centroid, inverseResolution, markPassed);
-        markHit(h.coord);
-        const TPoint3D direction = h.centroid - frame.origin();
-        const TPoint3D end = h.centroid + direction * (visibilityMargin / direction.norm());
-        traverseRay(h.centroid, end, inverseResolution, markBehind);
-    }
+    const std::vector<HitVoxel>& hits = frame.hits();
+    for (const HitVoxel& h : hits) space.at(blockOf(h.coord)).hit.set(cellOf(h.coord));
+    RayCaster caster(frame, visibilityMargin, space);
+    for (size_t i = 0; i < hits.size(); i += RayBundle::RAYS)
+        caster.cast(&hits[i], std::min(RayBundle::RAYS, hits.size() - i));
     for (size_t b = 0; b < space.size(); ++b) space[b].passed = space[b].passed - space[b].hit;
     return space;
 }

@@ -3,6 +3,7 @@
 
 #include "voxeland/grid/CoordHash.h"
 #include "voxeland/observations/PixelDirections.h"
+#include "voxeland/vectorized.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
@@ -35,13 +36,6 @@ struct PixelRow
 
     explicit PixelRow(size_t n) : x(n), y(n), z(n), i(n), j(n), k(n), valid(n), startsRun(n + 1) {}
 };
-
-// Plain loops over plain arrays, which compilers vectorize; the same results with and without AVX2.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define VOXELAND_WITH_AVX2 __attribute__((target_clones("avx2", "default")))
-#else
-#define VOXELAND_WITH_AVX2
-#endif
 
 VOXELAND_WITH_AVX2 void transform(const Unprojection& u, size_t n, const uint16_t* __restrict depth,
                                   const float* __restrict dx, const float* __restrict dy,

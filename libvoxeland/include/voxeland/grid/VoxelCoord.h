@@ -31,12 +31,16 @@ struct VoxelCoord
 /** Largest absolute voxel coordinate that can be stored. */
 inline constexpr int32_t MAX_VOXEL_COORD = (1 << 20) - 1;
 
+/** Bits of each axis in packed(). */
+inline constexpr int PACKED_BITS = 21;
+
 /** One number per coordinate, 21 bits an axis; injective within +-MAX_VOXEL_COORD. */
 inline uint64_t packed(const VoxelCoord& c)
 {
-    constexpr uint64_t MASK = (1u << 21) - 1;
-    return (static_cast<uint64_t>(c.x) & MASK) | ((static_cast<uint64_t>(c.y) & MASK) << 21) |
-           ((static_cast<uint64_t>(c.z) & MASK) << 42);
+    constexpr uint64_t MASK = (1u << PACKED_BITS) - 1;
+    return (static_cast<uint64_t>(c.x) & MASK) |
+           ((static_cast<uint64_t>(c.y) & MASK) << PACKED_BITS) |
+           ((static_cast<uint64_t>(c.z) & MASK) << (2 * PACKED_BITS));
 }
 
 /** Blocks of 8x8x8 voxels: the unit of storage. A block's coordinates are those of its voxels
