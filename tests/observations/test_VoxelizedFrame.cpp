@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 
 using namespace voxeland;
@@ -109,6 +110,52 @@ TEST(VoxelizedFrame, AWallFillsExactlyItsVoxels)
     EXPECT_EQ(frame.origin(), TPoint3D(0, 0, 0));
     EXPECT_EQ(frame.focalLength(), test::FOCAL);
     EXPECT_EQ(frame.resolution(), RESOLUTION);
+}
+
+TEST(VoxelizedFrame, AMaskHoldsItsPixelsWhateverTheyAre)
+{
+    // The wall above, with a hole that makes no points.
+    const auto isHole = [](int column, int row) { return column > 50 && column < 60 && row > 7; };
+    const auto depth = [&](int column, int row) { return isHole(column, row) ? 0.0 : 2.02; };
+    const VoxelizedFrame frame(frameOf(makeScan(depth)), RESOLUTION, {});
+    std::mt19937 random(3);
+    for (const unsigned inTen : {1u, 5u, 9u, 10u}) {
+        std::vector<uint8_t> bitmap;
+        std::map<VoxelCoord, uint32_t> expected;
+        for (int row = 0; row < test::ROWS; ++row)
+            for (int column = 0; column < test::COLUMNS; ++column) {
+                bitmap.push_back(random() % 10 < inTen ? 1 : 0);
+                if (bitmap.back() != 0 && !isHole(column, row))
+                    ++expected[{40, static_cast<int>(std::floor((39.5 - column) * 0.0505 / 0.05)),
+                                static_cast<int>(std::floor((29.5 - row) * 0.0505 / 0.05))}];
+            }
+        std::map<VoxelCoord, uint32_t> found;
+        const auto mask = RunLengthMask::fromBitmap(bitmap.data(), test::COLUMNS, test::ROWS);
+        for (const auto& [hit, points] : frame.pointsOf(mask))
+            EXPECT_TRUE(found.emplace(frame.hits()[hit].coord, points).second);
+        EXPECT_EQ(found, expected);
+    }
+}
+
+TEST(VoxelizedFrame, TheMeanPointOfAVoxelIsExact)
+{
+    // Four pixels of 2.01, 2.02, 2.03 and 2.04 m fall in one voxel of 1 m.
+    const auto depth = [](int column, int row) {
+        return column >= 40 && column < 42 && row < 30 && row >= 28
+                   ? 2.01 + 0.01 * (column - 40) + 0.02 * (row - 28)
+                   : 0.0;
+    };
+    const CPose3D pose(-100.25, 50.5, 7.75, 0, 0, 0);
+    const VoxelizedFrame frame(frameOf(makeScan(depth), pose), 1.0, {});
+    ASSERT_EQ(frame.hits().size(), 1u);
+    EXPECT_EQ(frame.hits()[0].points, 4u);
+    TPoint3D sum;  // of d, d (39.5 - column) / 40 and d (29.5 - row) / 40, less the pose
+    sum.x = 2.01 + 2.02 + 2.03 + 2.04;
+    sum.y = (-0.5 * 2.01 - 1.5 * 2.02 - 0.5 * 2.03 - 1.5 * 2.04) / 40;
+    sum.z = (1.5 * 2.01 + 1.5 * 2.02 + 0.5 * 2.03 + 0.5 * 2.04) / 40;
+    const TPoint3D error =
+        frame.hits()[0].centroid - (TPoint3D(pose.x(), pose.y(), pose.z()) + sum * 0.25);
+    EXPECT_LT(error.norm(), 2.0 / 65536) << "a fraction of a voxel";
 }
 
 TEST(VoxelizedFrame, AgreesWithBruteForceAtAnyPose)

@@ -18,6 +18,7 @@ class Neighbourhood
     Neighbourhood(const std::vector<WeightedCell>& cells, int radius)
         : m_cells(cells), m_radius(radius)
     {
+        m_index.reserve(cells.size());
         for (uint32_t i = 0; i < cells.size(); ++i) m_index.insert(cells[i].coord, i);
     }
 

@@ -27,15 +27,44 @@ struct Unprojection
     float nearest = 0, farthest = 0;  //!< depths used [m]
 };
 
-/** One row of pixels as points and voxels. */
+/** One row of pixels as voxels and places within them. */
 struct PixelRow
 {
-    std::vector<float> x, y, z;
-    std::vector<int32_t> i, j, k, valid;
+    std::vector<float> x, y, z;                             //!< points
+    std::vector<int32_t> i, j, k, valid;                    //!< their voxels
+    std::vector<uint32_t> fractionX, fractionY, fractionZ;  //!< where in the voxel, of FRACTIONS
     std::vector<uint8_t> startsRun;  //!< the pixel's voxel differs from the pixel's before
 
-    explicit PixelRow(size_t n) : x(n), y(n), z(n), i(n), j(n), k(n), valid(n), startsRun(n + 1) {}
+    explicit PixelRow(size_t n)
+        : x(n),
+          y(n),
+          z(n),
+          i(n),
+          j(n),
+          k(n),
+          valid(n),
+          fractionX(n),
+          fractionY(n),
+          fractionZ(n),
+          startsRun(n)
+    {
+    }
 };
+
+/** The runs of pixels of one voxel in a row: each one's first pixel, and the sums of all fractions
+ *  before it. One more entry is for the end of the row. */
+struct RowRuns
+{
+    size_t count = 0;
+    std::vector<uint32_t> first, x, y, z;
+
+    explicit RowRuns(size_t pixels) : first(pixels + 1), x(pixels + 1), y(pixels + 1), z(pixels + 1)
+    {
+    }
+};
+
+/** Places in a voxel are whole numbers, whose sums are exact: so many steps an edge. */
+constexpr float FRACTIONS = 65536;
 
 VOXELAND_WITH_AVX2 void transform(const Unprojection& u, size_t n, const uint16_t* __restrict depth,
                                   const float* __restrict dx, const float* __restrict dy,
@@ -47,8 +76,10 @@ VOXELAND_WITH_AVX2 void transform(const Unprojection& u, size_t n, const uint16_
     const auto o = u.origin;
     const float unit = u.unit, nearest = u.nearest, farthest = u.farthest;
     for (size_t c = 0; c < n; ++c) {
-        const float d = static_cast<float>(depth[c]) * unit;
-        valid[c] = static_cast<int32_t>(d >= nearest) & static_cast<int32_t>(d <= farthest);
+        const float measured = static_cast<float>(depth[c]) * unit;
+        valid[c] =
+            static_cast<int32_t>(measured >= nearest) & static_cast<int32_t>(measured <= farthest);
+        const float d = valid[c] != 0 ? measured : 0;
         const float ex = d * dx[c], ey = d * dy[c], ez = d * dz[c];
         x[c] = r[0] * ex + r[1] * ey + r[2] * ez + o[0];
         y[c] = r[3] * ex + r[4] * ey + r[5] * ez + o[1];
@@ -56,11 +87,14 @@ VOXELAND_WITH_AVX2 void transform(const Unprojection& u, size_t n, const uint16_
     }
 }
 
-VOXELAND_WITH_AVX2 void roundDown(size_t n, const float* __restrict in, int32_t* __restrict out)
+VOXELAND_WITH_AVX2 void split(size_t n, const float* __restrict in, int32_t* __restrict whole,
+                              uint32_t* __restrict fraction)
 {
     for (size_t c = 0; c < n; ++c) {
         const auto truncated = static_cast<int32_t>(in[c]);
-        out[c] = truncated - static_cast<int32_t>(in[c] < static_cast<float>(truncated));
+        whole[c] = truncated - static_cast<int32_t>(in[c] < static_cast<float>(truncated));
+        const float rest = in[c] - static_cast<float>(whole[c]);
+        fraction[c] = static_cast<uint32_t>(static_cast<int32_t>(rest * FRACTIONS));
     }
 }
 
@@ -73,7 +107,7 @@ VOXELAND_WITH_AVX2 void findRuns(size_t n, const int32_t* __restrict i, const in
             (i[c] ^ i[c - 1]) | (j[c] ^ j[c - 1]) | (k[c] ^ k[c - 1]) | (valid[c] ^ valid[c - 1]);
         startsRun[c] = static_cast<uint8_t>(change != 0);
     }
-    startsRun[0] = startsRun[n] = 1;
+    startsRun[0] = 1;
 }
 
 void unproject(const Unprojection& u, const uint16_t* depth, const PixelDirections& directions,
@@ -82,10 +116,33 @@ void unproject(const Unprojection& u, const uint16_t* depth, const PixelDirectio
     const size_t n = row.x.size();
     transform(u, n, depth, directions.x(), directions.y(), directions.z(), row.x.data(),
               row.y.data(), row.z.data(), row.valid.data());
-    roundDown(n, row.x.data(), row.i.data());
-    roundDown(n, row.y.data(), row.j.data());
-    roundDown(n, row.z.data(), row.k.data());
+    split(n, row.x.data(), row.i.data(), row.fractionX.data());
+    split(n, row.y.data(), row.j.data(), row.fractionY.data());
+    split(n, row.z.data(), row.k.data(), row.fractionZ.data());
     findRuns(n, row.i.data(), row.j.data(), row.k.data(), row.valid.data(), row.startsRun.data());
+}
+
+void collectRuns(const PixelRow& row, RowRuns& runs)
+{
+    const auto pixels = static_cast<uint32_t>(row.startsRun.size());
+    size_t run = 0;
+    uint32_t x = 0, y = 0, z = 0;
+    const auto write = [&](uint32_t pixel) {
+        runs.first[run] = pixel;
+        runs.x[run] = x;
+        runs.y[run] = y;
+        runs.z[run] = z;
+    };
+    // Written for every pixel, and kept if a run starts there: processors cannot predict where.
+    for (uint32_t c = 0; c < pixels; ++c) {
+        write(c);
+        run += row.startsRun[c];
+        x += row.fractionX[c];
+        y += row.fractionY[c];
+        z += row.fractionZ[c];
+    }
+    write(pixels);
+    runs.count = run;
 }
 
 /** Collects pixels in the voxels they fall in. */
@@ -95,40 +152,39 @@ class VoxelGrouping
     VoxelGrouping(const VoxelCoord& base, double resolution, std::vector<HitVoxel>& hits)
         : m_base(base), m_resolution(resolution), m_hits(hits)
     {
-        m_index.reserve(1 << 13);
+        m_index.reserve(1 << 12);
+        m_hits.reserve(1 << 12);
     }
 
-    /** Adds a row of pixels. \param hitOfPixel receives each pixel's hit, or NO_HIT */
-    void add(const PixelRow& row, int32_t* hitOfPixel)
+    /** Adds a row of pixels. \param firstPixel number of the first one
+     *  \param found receives the row's runs */
+    void add(const PixelRow& row, const RowRuns& runs, uint32_t firstPixel,
+             std::vector<PixelRun>& found)
     {
-        // Neighbouring pixels mostly fall in the same voxel: one look-up serves a whole run.
-        for (size_t c = 0, n = row.x.size(); c < n;) {
-            if (row.valid[c] == 0) {
-                do hitOfPixel[c] = VoxelizedFrame::NO_HIT;
-                while (row.startsRun[++c] == 0);
-                continue;
+        for (size_t r = 0; r < runs.count; ++r) {
+            const uint32_t c = runs.first[r];
+            int32_t hit = PixelRun::NO_HIT;
+            if (row.valid[c] != 0) {
+                hit = static_cast<int32_t>(hitAt({row.i[c], row.j[c], row.k[c]}));
+                HitVoxel& voxel = m_hits[static_cast<size_t>(hit)];
+                voxel.points += runs.first[r + 1] - c;
+                voxel.centroid += TPoint3D(runs.x[r + 1] - runs.x[r], runs.y[r + 1] - runs.y[r],
+                                           runs.z[r + 1] - runs.z[r]);
             }
-            const uint32_t hit = hitAt({row.i[c], row.j[c], row.k[c]});
-            const size_t first = c;
-            float x = 0, y = 0, z = 0;
-            do {
-                x += row.x[c];
-                y += row.y[c];
-                z += row.z[c];
-                hitOfPixel[c] = static_cast<int32_t>(hit);
-            } while (row.startsRun[++c] == 0);
-            m_hits[hit].points += static_cast<uint32_t>(c - first);
-            m_hits[hit].centroid += TPoint3D(x, y, z);
+            found.push_back({firstPixel + c, hit});
         }
     }
-    /** Turns sums into means. */
+    /** Turns sums of fractions into mean points. */
     void finish()
     {
         for (HitVoxel& h : m_hits) {
-            const double scale = m_resolution / h.points;
-            h.centroid = {m_base.x * m_resolution + h.centroid.x * scale,
-                          m_base.y * m_resolution + h.centroid.y * scale,
-                          m_base.z * m_resolution + h.centroid.z * scale};
+            const auto mean = [&](int32_t voxel, double sum) {
+                constexpr double HALF = 0.5;  // fractions are rounded down
+                return (voxel + (sum / h.points + HALF) / static_cast<double>(FRACTIONS)) *
+                       m_resolution;
+            };
+            h.centroid = {mean(h.coord.x, h.centroid.x), mean(h.coord.y, h.centroid.y),
+                          mean(h.coord.z, h.centroid.z)};
         }
     }
 
@@ -136,31 +192,38 @@ class VoxelGrouping
     uint32_t hitAt(const VoxelCoord& relative)
     {
         // The row before went through the same voxels: remember where they are.
-        Found& found = m_found[static_cast<size_t>(cellOf(relative))];
-        if (found.hit == CoordHash::NONE || found.coord != relative) {
-            found = {relative, m_index.insert(relative, static_cast<uint32_t>(m_hits.size()))};
+        constexpr int32_t LOW = (1 << FOUND_BITS) - 1;
+        Found& found =
+            m_found[static_cast<size_t>((relative.x & LOW) | ((relative.y & LOW) << FOUND_BITS) |
+                                        ((relative.z & LOW) << (2 * FOUND_BITS)))];
+        const uint64_t key = packed(relative);
+        if (found.key != key) {
+            found = {key, m_index.insert(relative, static_cast<uint32_t>(m_hits.size()))};
             if (found.hit == m_hits.size()) m_hits.push_back({m_base + relative, 0, {0, 0, 0}});
         }
         return found.hit;
     }
 
+    static constexpr int FOUND_BITS = 4;
+
     struct Found
     {
-        VoxelCoord coord;
-        uint32_t hit = CoordHash::NONE;
+        uint64_t key = ~uint64_t{0};  //!< no voxel's
+        uint32_t hit = 0;
     };
 
     VoxelCoord m_base;
     double m_resolution;
     std::vector<HitVoxel>& m_hits;
     CoordHash m_index;
-    std::array<Found, BLOCK_CELLS> m_found;  //!< by the low bits of the coordinates
+    std::vector<Found> m_found =
+        std::vector<Found>(size_t{1} << (3 * FOUND_BITS));  //!< by the coordinates' low bits
 };
 }  // namespace
 
-std::vector<int32_t> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
-                                 const mrpt::poses::CPose3D& sensorPose, double resolution,
-                                 const DepthLimits& limits, std::vector<HitVoxel>& hits)
+std::vector<PixelRun> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
+                                  const mrpt::poses::CPose3D& sensorPose, double resolution,
+                                  const DepthLimits& limits, std::vector<HitVoxel>& hits)
 {
     const auto rows = static_cast<size_t>(scan.rangeImage.rows());
     const auto columns = static_cast<size_t>(scan.rangeImage.cols());
@@ -179,16 +242,20 @@ std::vector<int32_t> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
     u.nearest = std::max(static_cast<float>(limits.min_depth), std::numeric_limits<float>::min());
     u.farthest = static_cast<float>(limits.max_depth);
 
-    std::vector<int32_t> hitOfPixel(rows * columns);
+    std::vector<PixelRun> found;
+    found.reserve(rows * columns / 4);
     PixelDirections directions(scan);
     VoxelGrouping grouping(base, resolution, hits);
     PixelRow pixels(columns);
+    RowRuns runs(columns);
     for (size_t row = 0; row < rows; ++row) {
         directions.select(row);
         unproject(u, &scan.rangeImage(static_cast<int>(row), 0), directions, pixels);
-        grouping.add(pixels, &hitOfPixel[row * columns]);
+        collectRuns(pixels, runs);
+        grouping.add(pixels, runs, static_cast<uint32_t>(row * columns), found);
     }
+    found.push_back({static_cast<uint32_t>(rows * columns), PixelRun::NO_HIT});
     grouping.finish();
-    return hitOfPixel;
+    return found;
 }
 }  // namespace voxeland

@@ -9,8 +9,8 @@ namespace voxeland
 /** Unprojects a scan's depth pixels and groups them by voxel.
  *  \param sensorPose of the depth camera in the map's frame
  *  \param hits receives the voxels, in order of first pixel
- *  \return per pixel the number of its hit, or VoxelizedFrame::NO_HIT */
-std::vector<int32_t> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
-                                 const mrpt::poses::CPose3D& sensorPose, double resolution,
-                                 const DepthLimits& limits, std::vector<HitVoxel>& hits);
+ *  \return all pixels as runs in row-major order, and one more that starts after the last pixel */
+std::vector<PixelRun> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
+                                  const mrpt::poses::CPose3D& sensorPose, double resolution,
+                                  const DepthLimits& limits, std::vector<HitVoxel>& hits);
 }  // namespace voxeland

@@ -60,7 +60,7 @@ VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const 
     if (!isValidPose(sensorPose)) throw InputError(frameName(scan) + " has an invalid pose");
     m_focalLength = scan.cameraParams.fx();
     m_origin = sensorPose.translation();
-    m_hitOfPixel = groupPixels(scan, sensorPose, resolution, limits, m_hits);
+    m_runs = groupPixels(scan, sensorPose, resolution, limits, m_hits);
     const bool project = frame.instances && !camerasCoincide(scan);
     if (project) projectIntoColour(scan);
     const TCamera& masked = project ? maskCamera(scan) : scan.cameraParams;
@@ -78,23 +78,33 @@ void VoxelizedFrame::projectIntoColour(const CObservation3DRangeScan& scan)
     PixelDirections directions(scan);
     const size_t columns = scan.cameraParams.ncols;
     const CPose3D colourFromDepth = CPose3D() - scan.relativePoseIntensityWRTDepth;
-    m_colourOfPixel.assign(m_hitOfPixel.size(), -1);
-    for (size_t p = 0; p < m_hitOfPixel.size(); ++p) {
-        const size_t c = p % columns;
-        if (c == 0) directions.select(p / columns);
-        if (m_hitOfPixel[p] == NO_HIT) continue;
-        const double d =
-            static_cast<double>(scan.rangeImage.data()[p]) * static_cast<double>(scan.rangeUnits);
-        const TPoint3D inDepth(d * static_cast<double>(directions.x()[c]),
-                               d * static_cast<double>(directions.y()[c]),
-                               d * static_cast<double>(directions.z()[c]));
-        const TPoint3D inColour = colourFromDepth.composePoint(inDepth);
-        if (!(inColour.z > 0)) continue;
-        const auto [u, v] = projected(camera, inColour.x / inColour.z, inColour.y / inColour.z);
-        const double column = std::floor(u + 0.5), row = std::floor(v + 0.5);
-        if (column >= 0 && row >= 0 && column < camera.ncols && row < camera.nrows)
-            m_colourOfPixel[p] = static_cast<int32_t>(row * camera.ncols + column);
-    }
+    m_colourOfPixel.assign(m_runs.back().first, -1);
+    size_t selected = scan.cameraParams.nrows;
+    forEachHitRun([&](uint32_t, uint32_t first, uint32_t last) {
+        if (first / columns != selected) directions.select(selected = first / columns);
+        for (size_t p = first; p < last; ++p) {
+            const size_t c = p % columns;
+            const double d = static_cast<double>(scan.rangeImage.data()[p]) *
+                             static_cast<double>(scan.rangeUnits);
+            const TPoint3D inDepth(d * static_cast<double>(directions.x()[c]),
+                                   d * static_cast<double>(directions.y()[c]),
+                                   d * static_cast<double>(directions.z()[c]));
+            const TPoint3D inColour = colourFromDepth.composePoint(inDepth);
+            if (!(inColour.z > 0)) continue;
+            const auto [u, v] = projected(camera, inColour.x / inColour.z, inColour.y / inColour.z);
+            const double column = std::floor(u + 0.5), row = std::floor(v + 0.5);
+            if (column >= 0 && row >= 0 && column < camera.ncols && row < camera.nrows)
+                m_colourOfPixel[p] = static_cast<int32_t>(row * camera.ncols + column);
+        }
+    });
+}
+
+template <typename F>
+void VoxelizedFrame::forEachHitRun(F&& f) const
+{
+    for (size_t r = 0; r + 1 < m_runs.size(); ++r)
+        if (m_runs[r].hit != PixelRun::NO_HIT)
+            f(static_cast<uint32_t>(m_runs[r].hit), m_runs[r].first, m_runs[r + 1].first);
 }
 
 std::vector<std::pair<uint32_t, uint32_t>> VoxelizedFrame::pointsOf(const RunLengthMask& mask) const
@@ -105,27 +115,31 @@ std::vector<std::pair<uint32_t, uint32_t>> VoxelizedFrame::pointsOf(const RunLen
                          ": make the masks at the image's size");
     std::vector<uint32_t> count(m_hits.size(), 0);
     std::vector<std::pair<uint32_t, uint32_t>> points;
-    const auto add = [&](int32_t hit, uint32_t n) {
-        const auto h = static_cast<uint32_t>(hit);
-        if (count[h] == 0) points.emplace_back(h, 0);
-        count[h] += n;
+    const auto add = [&](uint32_t hit, uint32_t n) {
+        if (count[hit] == 0) points.emplace_back(hit, 0);
+        count[hit] += n;
     };
     if (m_colourOfPixel.empty()) {
+        auto run = m_runs.begin();
         mask.forEachRun([&](uint32_t first, uint32_t last) {
-            for (uint32_t p = first; p < last;) {
-                const int32_t hit = m_hitOfPixel[p];
-                const uint32_t start = p;
-                while (++p < last && m_hitOfPixel[p] == hit) {
-                }
-                if (hit != NO_HIT) add(hit, p - start);
-            }
+            // The first run to look at lies no more runs ahead than pixels.
+            const auto ahead = std::min<std::ptrdiff_t>(first - run->first + 1, m_runs.end() - run);
+            run = std::upper_bound(run, run + ahead, first,
+                                   [](uint32_t p, const PixelRun& r) { return p < r.first; });
+            for (--run; run->first < last; ++run)
+                if (run->hit != PixelRun::NO_HIT)
+                    add(static_cast<uint32_t>(run->hit),
+                        std::min(last, (run + 1)->first) - std::max(first, run->first));
+            --run;  // the mask's next run may begin in it
         });
     } else {
         const std::vector<uint8_t> bitmap = mask.toBitmap();
-        for (size_t p = 0; p < m_hitOfPixel.size(); ++p) {
-            const int32_t colour = m_colourOfPixel[p];
-            if (colour >= 0 && bitmap[static_cast<size_t>(colour)] != 0) add(m_hitOfPixel[p], 1);
-        }
+        forEachHitRun([&](uint32_t hit, uint32_t first, uint32_t last) {
+            for (uint32_t p = first; p < last; ++p) {
+                const int32_t colour = m_colourOfPixel[p];
+                if (colour >= 0 && bitmap[static_cast<size_t>(colour)] != 0) add(hit, 1);
+            }
+        });
     }
     for (auto& [hit, n] : points) n = count[hit];
     return points;

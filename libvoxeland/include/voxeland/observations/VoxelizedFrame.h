@@ -18,6 +18,15 @@ struct HitVoxel
     mrpt::math::TPoint3D centroid;  //!< mean of those points, in the map's frame [m]
 };
 
+/** Successive depth pixels of a row in one voxel, up to the next run. */
+struct PixelRun
+{
+    static constexpr int32_t NO_HIT = -1;
+
+    uint32_t first = 0;    //!< number of the first pixel, row-major
+    int32_t hit = NO_HIT;  //!< number of the hit voxel; NO_HIT: pixels without a point
+};
+
 /** Which depths to use. They limit what the scan's range image holds: the depth along the optical
  * axis, or the distance from the camera for scans with `range_is_depth = false`. */
 struct DepthLimits
@@ -32,8 +41,6 @@ struct DepthLimits
 class VoxelizedFrame
 {
  public:
-    static constexpr int32_t NO_HIT = -1;
-
     /** Unprojects (with lens distortion), transforms and groups a frame's depth pixels.
      *  \param resolution voxel edge [m]
      *  \throws InputError, naming the frame, for scans without a depth image or with invalid
@@ -56,6 +63,9 @@ class VoxelizedFrame
         const RunLengthMask& mask) const;
 
  private:
+    /** Calls f(hit, first, last) for each run of pixels [first, last) with points. */
+    template <typename F>
+    void forEachHitRun(F&& f) const;
     void projectIntoColour(const mrpt::obs::CObservation3DRangeScan& scan);
 
     double m_resolution;
@@ -63,7 +73,7 @@ class VoxelizedFrame
     int m_maskWidth = 0, m_maskHeight = 0;  //!< size of the image that masks are of [pixels]
     mrpt::math::TPoint3D m_origin;
     std::vector<HitVoxel> m_hits;
-    std::vector<int32_t> m_hitOfPixel;     //!< depth pixel -> hit number or NO_HIT
+    std::vector<PixelRun> m_runs;          //!< all depth pixels; the last one starts after them
     std::vector<int32_t> m_colourOfPixel;  //!< depth pixel -> colour pixel or -1; empty: the same
 };
 }  // namespace voxeland
