@@ -91,9 +91,9 @@ void expectClustering(const std::vector<WeightedCell>& cells, int radius)
 TEST(DensityClustering, AgreesWithTheTextbookOnRandomCells)
 {
     std::mt19937 random(8);
-    for (const int radius : {1, 2})
+    for (const int radius : {1, 2, 9})
         for (int run = 0; run < 40; ++run) {
-            std::uniform_int_distribution<int32_t> place(-8, 8);
+            std::uniform_int_distribution<int32_t> place(-7 - 2 * radius, 7 + 2 * radius);
             std::uniform_real_distribution<float> weight(0.1F, 3), core(1, 12);
             std::set<VoxelCoord> coords;
             for (int i = 0; i < 250; ++i)

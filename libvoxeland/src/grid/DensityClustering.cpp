@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/grid/DensityClustering.h"
 
-#include "voxeland/grid/CoordHash.h"
+#include "voxeland/grid/BlockMap.h"
 
 #include <algorithm>
+#include <array>
 
 namespace voxeland
 {
 namespace
 {
 constexpr int NOISE = -1;
+
+/** The numbers of a block's cells, from 1; 0: there is no such cell. */
+struct NumberedBlock
+{
+    std::array<uint32_t, BLOCK_CELLS> numbers{};
+};
 
 /** Finds the cells around a cell. */
 class Neighbourhood
@@ -18,21 +25,24 @@ class Neighbourhood
     Neighbourhood(const std::vector<WeightedCell>& cells, int radius)
         : m_cells(cells), m_radius(radius)
     {
-        m_index.reserve(cells.size());
-        for (uint32_t i = 0; i < cells.size(); ++i) m_index.insert(cells[i].coord, i);
+        for (uint32_t i = 0; i < cells.size(); ++i) {
+            const VoxelCoord& c = cells[i].coord;
+            m_blocks.at(blockOf(c)).numbers[static_cast<size_t>(cellOf(c))] = i + 1;
+        }
     }
 
     /** Numbers of the cells around cell i, itself included. */
     const std::vector<uint32_t>& of(uint32_t i)
     {
         m_found.clear();
-        const VoxelCoord c = m_cells[i].coord;
-        for (int dz = -m_radius; dz <= m_radius; ++dz)
-            for (int dy = -m_radius; dy <= m_radius; ++dy)
-                for (int dx = -m_radius; dx <= m_radius; ++dx) {
-                    const uint32_t n = m_index.find(c + VoxelCoord{dx, dy, dz});
-                    if (n != CoordHash::NONE) m_found.push_back(n);
-                }
+        const VoxelCoord low = m_cells[i].coord + VoxelCoord{-m_radius, -m_radius, -m_radius};
+        const VoxelCoord high = m_cells[i].coord + VoxelCoord{m_radius, m_radius, m_radius};
+        const VoxelCoord first = blockOf(low), last = blockOf(high);
+        for (int z = first.z; z <= last.z; ++z)
+            for (int y = first.y; y <= last.y; ++y)
+                for (int x = first.x; x <= last.x; ++x)
+                    if (const NumberedBlock* block = m_blocks.find({x, y, z}))
+                        collect(*block, voxelAt({x, y, z}, 0), low, high);
         return m_found;
     }
 
@@ -45,9 +55,25 @@ class Neighbourhood
     }
 
  private:
+    /** Adds a block's cells from `low` to `high`. \param corner the block's first cell */
+    void collect(const NumberedBlock& block, const VoxelCoord& corner, const VoxelCoord& low,
+                 const VoxelCoord& high)
+    {
+        constexpr int END = BLOCK_SIDE - 1;
+        const int firstX = std::max(low.x - corner.x, 0), lastX = std::min(high.x - corner.x, END);
+        const int firstY = std::max(low.y - corner.y, 0), lastY = std::min(high.y - corner.y, END);
+        const int firstZ = std::max(low.z - corner.z, 0), lastZ = std::min(high.z - corner.z, END);
+        for (int z = firstZ; z <= lastZ; ++z)
+            for (int y = firstY; y <= lastY; ++y)
+                for (int x = firstX; x <= lastX; ++x) {
+                    const uint32_t number = block.numbers[static_cast<size_t>(cellOf({x, y, z}))];
+                    if (number != 0) m_found.push_back(number - 1);
+                }
+    }
+
     const std::vector<WeightedCell>& m_cells;
     int m_radius;
-    CoordHash m_index;
+    BlockMap<NumberedBlock> m_blocks;
     std::vector<uint32_t> m_found;
 };
 }  // namespace
