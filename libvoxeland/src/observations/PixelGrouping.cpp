@@ -243,7 +243,7 @@ std::vector<PixelRun> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan
     u.farthest = static_cast<float>(limits.max_depth);
 
     std::vector<PixelRun> found;
-    found.reserve(rows * columns / 4);
+    found.reserve(rows * columns / 2);
     PixelDirections directions(scan);
     VoxelGrouping grouping(base, resolution, hits);
     PixelRow pixels(columns);
