@@ -161,17 +161,19 @@ class VoxelGrouping
     void add(const PixelRow& row, const RowRuns& runs, uint32_t firstPixel,
              std::vector<PixelRun>& found)
     {
+        const size_t before = found.size();
+        found.resize(before + runs.count);
         for (size_t r = 0; r < runs.count; ++r) {
             const uint32_t c = runs.first[r];
-            int32_t hit = PixelRun::NO_HIT;
-            if (row.valid[c] != 0) {
-                hit = static_cast<int32_t>(hitAt({row.i[c], row.j[c], row.k[c]}));
-                HitVoxel& voxel = m_hits[static_cast<size_t>(hit)];
-                voxel.points += runs.first[r + 1] - c;
-                voxel.centroid += TPoint3D(runs.x[r + 1] - runs.x[r], runs.y[r + 1] - runs.y[r],
-                                           runs.z[r + 1] - runs.z[r]);
-            }
-            found.push_back({firstPixel + c, hit});
+            PixelRun& run = found[before + r];
+            run.first = firstPixel + c;
+            if (row.valid[c] == 0) continue;
+            const uint32_t hit = hitAt({row.i[c], row.j[c], row.k[c]});
+            run.hit = static_cast<int32_t>(hit);
+            HitVoxel& voxel = m_hits[hit];
+            voxel.points += runs.first[r + 1] - c;
+            voxel.centroid += TPoint3D(runs.x[r + 1] - runs.x[r], runs.y[r + 1] - runs.y[r],
+                                       runs.z[r + 1] - runs.z[r]);
         }
     }
     /** Turns sums of fractions into mean points. */
