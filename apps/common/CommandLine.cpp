@@ -74,9 +74,11 @@ int fail(const char* program, const std::exception& e, int exitCode)
 
 CommandLine::CommandLine(const std::string& description)
     : m_parser(description, ' ', VOXELAND_VERSION),
-      m_verbosity("v", "verbosity", std::string("Least severe messages to show: ") + LEVELS, false,
-                  "INFO", "LEVEL"),
-      m_quiet("", "quiet", "No progress and no messages but warnings and errors")
+      m_verbosity("v", "verbosity",
+                  "Least severe messages to show: INFO (notes and progress), WARN or ERROR; DEBUG "
+                  "is for MRPT's programs in voxeland-run",
+                  false, "INFO", "LEVEL"),
+      m_quiet("", "quiet", "No progress and no messages but warnings and errors: as -v WARN")
 {
     m_parser.setOutput(&helpOutput);
     m_parser.add(m_quiet);
@@ -103,6 +105,18 @@ VerbosityLevel CommandLine::verbosity() const
           std::pair(mrpt::system::LVL_WARN, "WARN"), std::pair(mrpt::system::LVL_ERROR, "ERROR")})
         if (name == text) return level;
     throw ConfigurationError("verbosity '" + name + "' is not one of " + LEVELS);
+}
+
+void CommandLine::note(const std::string& text) const
+{
+    if (!quiet()) std::cerr << text << "\n";
+}
+
+void CommandLine::warn(const std::string& text)
+{
+    if (verbosity() > mrpt::system::LVL_WARN) return;
+    const std::filesystem::path program = m_parser.getProgramName();
+    std::cerr << program.filename().string() << ": warning: " << text << "\n";
 }
 
 std::string sentence(const std::exception& e)

@@ -25,7 +25,12 @@ class CommandLine
     [[nodiscard]] bool parse(int argc, char** argv);
     /** Least severe message to show. */
     [[nodiscard]] mrpt::system::VerbosityLevel verbosity() const;
+    /** Whether progress and notes are not wanted. */
     [[nodiscard]] bool quiet() const { return verbosity() > mrpt::system::LVL_INFO; }
+    /** Says something on stderr, unless quiet(). */
+    void note(const std::string& text) const;
+    /** Says on stderr what is probably not as the user meant it, unless errors alone are wanted. */
+    void warn(const std::string& text);
 
  private:
     TCLAP::CmdLine m_parser;

@@ -169,8 +169,9 @@ int makeMap(Arguments& arguments)
 
     const TimingLog timing = mapAndSave(arguments, *map);
     if (map->counts().framesWithoutPredictions == map->counts().frames)
-        std::cerr << "rawlog2voxeland: warning: no frame has predictions, everything is unknown; "
-                     "they belong in the rawlog or in NAME.instances.rawlog beside it\n";
+        arguments.warn(
+            "no frame has predictions, everything is unknown; "
+            "they belong in the rawlog or in NAME.instances.rawlog beside it");
     if (arguments.exportDir.isSet()) exportAll(map->map(), arguments.exportDir.getValue());
     if (arguments.timing.isSet())
         writeAtomically(arguments.timing.getValue(),

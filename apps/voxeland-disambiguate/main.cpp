@@ -135,8 +135,8 @@ std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const Se
         });
     }
     if (missing > 0)
-        std::cerr << "voxeland-disambiguate: warning: the rawlog lacks the frames of "
-                  << counted(missing, "view") << "; was the map made from several?\n";
+        arguments.warn("the rawlog lacks the frames of " + counted(missing, "view") +
+                       "; was the map made from several?");
     const auto up = estimateUp(map);
     std::vector<DisambiguationQuestion> questions;
     for (UncertainInstance& u : uncertain) {
@@ -206,8 +206,8 @@ int ask(Arguments& arguments, CVoxelandMap& map)
     if (!dry) config.disambiguator->start();
     if (!dry && !config.disambiguation.ask_again)
         if (const size_t n = takeOverDecisions(map, arguments.output.getValue()); n > 0)
-            std::cerr << "going on with " << counted(n, "decision") << " in '"
-                      << arguments.output.getValue() << "'\n";
+            arguments.note("going on with " + counted(n, "decision") + " in '" +
+                           arguments.output.getValue() + "'");
     auto questions = makeQuestions(arguments, map.map(), config);
     if (dry) {
         writeQuestions(questions, config.disambiguation, arguments.dryRun.getValue());

@@ -145,7 +145,7 @@ EvaluationReport evaluateMaps(Arguments& arguments)
     for (size_t i = 0; i < arguments.maps.getValue().size(); ++i) {
         const std::string& mapFile = arguments.maps.getValue()[i];
         const std::string& truthFile = arguments.truths.getValue()[i];
-        if (!arguments.quiet()) std::cerr << "evaluating " << mapFile << "\n";
+        arguments.note("evaluating " + mapFile);
         const GroundTruth truth = readGroundTruth(truthFile, arguments.format.getValue());
         const auto file = loadMap(mapFile);
         const SemanticVoxelMap& map = file->map();

@@ -140,9 +140,8 @@ HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map, const L
         heights = apps::parseHeights("height", arguments.height.getValue());
     const double floor = floorHeight(map, frame);
     const auto& up = frame.axes()[2];
-    if (!arguments.quiet())
-        std::cerr << mrpt::format("heights are along (%.3f, %.3f, %.3f), from %.2f m\n", up.x, up.y,
-                                  up.z, floor);
+    arguments.note(
+        mrpt::format("heights are along (%.3f, %.3f, %.3f), from %.2f m", up.x, up.y, up.z, floor));
     return {floor + heights.low, floor + heights.high};
 }
 
@@ -188,7 +187,7 @@ void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelF
     for (const std::string& name : arguments.except.getValue()) filter.except.insert(name);
     if (arguments.height.isSet()) filter.heights = heightsOf(arguments, map, frame, {});
     if (exportPoints(map, filter, arguments.points.getValue()) == 0)
-        std::cerr << "voxeland-export: warning: no voxel is of these categories and heights\n";
+        arguments.warn("no voxel is of these categories and heights");
     written(arguments.points.getValue());
 }
 

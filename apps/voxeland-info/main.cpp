@@ -36,13 +36,13 @@ const char* const DESCRIPTION =
 Coordinates are metres in the map's frame, entropies are in nat. Yaw and pitch of a camera are those of
 MRPT (pitch > 0 looks down), in the map's frame turned about its origin until up is z.)";
 
-/** Says on stderr what could have been found. */
-void listCategories(const MapOverview& overview, const std::string& wanted)
+/** What could have been found. */
+std::string foundInstead(const MapOverview& overview, const std::string& wanted)
 {
-    std::cerr << "no '" << wanted << "' in this map; it holds:";
+    std::string text = "no '" + wanted + "' in this map; it holds:";
     for (const auto& [name, count] : overview.categories)
-        std::cerr << " " << name << " (" << count << ")";
-    std::cerr << (overview.categories.empty() ? " no objects\n" : "\n");
+        text += " " + name + " (" + std::to_string(count) + ")";
+    return text + (overview.categories.empty() ? " no objects" : "");
 }
 
 /** The program's command line. */
@@ -128,7 +128,7 @@ std::string instances(Arguments& arguments, const CVoxelandMap& loaded)
     const auto found =
         finds ? findInstances(map, arguments.find.getValue(), origin) : listInstances(map);
     if (found.empty() && finds)
-        listCategories(overviewOf(map, loaded.counts()), arguments.find.getValue());
+        arguments.note(foundInstead(overviewOf(map, loaded.counts()), arguments.find.getValue()));
     if (arguments.json.isSet()) return asJson(map, found);
     return found.empty() ? "" : asText(found, finds, map.options().prior_strength > 0);
 }
@@ -156,7 +156,9 @@ std::string explanation(Arguments& arguments, const SemanticVoxelMap& map)
     if (id == UNKNOWN_INSTANCE)
         throw ConfigurationError("--explain: there is no object " + std::to_string(wanted) +
                                  " in this map: see --instances");
-    if (id != wanted) std::cerr << "object " << wanted << " was merged into object " << id << "\n";
+    if (id != wanted)
+        arguments.note("object " + std::to_string(wanted) + " was merged into object " +
+                       std::to_string(id));
     return arguments.json.isSet() ? explanationAsJson(map, id) : explanationAsText(map, id);
 }
 

@@ -35,7 +35,8 @@ const char* const DESCRIPTION =
 icp-slam, rbpf-slam and pf-localization are MRPT's own application classes, run by this program. It
 also finds what lies beside the rawlog: external images, and predictions in NAME.instances.rawlog.
 Any other program is started in this one's place with libvoxeland preloaded, and its exit code is its
-own.
+own. With --quiet or -v WARN, MRPT's applications show errors alone: they warn about every frame that
+is not a laser scan.
 INI files to start from are in share/config/mrpt of the sources, and once installed in
 share/voxeland/config/mrpt of the place of installation, such as /usr.
 Usage: voxeland-run [option]... <PROGRAM> [its arguments]...
@@ -138,7 +139,6 @@ int run(int argc, char** argv)
     const int count = argc - begin;
     char** const command = argv + begin;
     const std::string name = command[0];
-    // MRPT's applications warn about every frame that is not a laser scan.
     const auto level = commandLine.quiet() ? mrpt::system::LVL_ERROR : commandLine.verbosity();
     if (name == "icp-slam") {
         WithVoxeland<mrpt::apps::ICP_SLAM_App_Rawlog> application;

@@ -443,5 +443,7 @@ TEST_F(Rawlog2voxeland, WarnsWhenNothingHasPredictions)
     for (auto& f : frames) f.instances = nullptr;
     write(frames);
     fs::remove(m_folder.file("in.instances.rawlog"));
-    EXPECT_NE(run().errors.find("no frame has predictions"), std::string::npos);
+    EXPECT_NE(run({"-v", "WARN"}).errors.find("warning: no frame has predictions"),
+              std::string::npos);
+    EXPECT_EQ(run({"-v", "ERROR"}).errors, "");
 }

@@ -51,7 +51,7 @@ class Disambiguate : public testing::Test
     static test::ProgramResult run(Words more, const std::string& output = "out.voxeland",
                                    const std::string& map = "sim.voxeland")
     {
-        Words arguments = {"-m", file(map), "-i", file("sim.rawlog"), "--quiet"};
+        Words arguments = {"-m", file(map), "-i", file("sim.rawlog")};
         if (!output.empty()) arguments.insert(arguments.end(), {"-o", file(output)});
         arguments.insert(arguments.end(), more.begin(), more.end());
         return test::runProgram("voxeland-disambiguate", arguments);

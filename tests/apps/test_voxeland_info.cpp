@@ -77,6 +77,8 @@ TEST_F(VoxelandInfo, find)
     EXPECT_EQ(nothing.output, "");
     EXPECT_EQ(nothing.errors, "no 'sofa' in this map; it holds: chair (1)\n");
     EXPECT_EQ(askJson({"--find", "sofa"}), json::array());
+    EXPECT_EQ(ask({"--find", "sofa", "--quiet"}).errors, "");
+    EXPECT_EQ(ask({"--find", "sofa", "-v", "warn"}).errors, "");
 }
 
 TEST_F(VoxelandInfo, at)
