@@ -141,6 +141,14 @@ TimingLog mapAndSave(Arguments& arguments, CVoxelandMap& map)
     return timing;
 }
 
+/** Complains before the work about outputs that cannot be written after it. */
+void checkWritable(Arguments& arguments)
+{
+    if (arguments.exportDir.isSet()) checkExportFolder(arguments.exportDir.getValue());
+    for (auto* output : {&arguments.output, &arguments.timing, &arguments.trace})
+        if (output->isSet()) voxeland::checkWritable(output->getValue());
+}
+
 int makeMap(Arguments& arguments)
 {
     std::shared_ptr<CVoxelandMap> map = std::make_shared<CVoxelandMap>();
@@ -165,7 +173,7 @@ int makeMap(Arguments& arguments)
         {input, RawlogFiles(input).sidecar.string(), arguments.poses.getValue(),
          arguments.config.getValue()});
     map->setConfig(config);
-    const AtomicFile checkedOutput(arguments.output.getValue());  // complain before the work
+    checkWritable(arguments);
 
     const TimingLog timing = mapAndSave(arguments, *map);
     if (map->counts().framesWithoutPredictions == map->counts().frames)

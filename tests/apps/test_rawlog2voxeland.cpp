@@ -271,6 +271,20 @@ TEST_F(Rawlog2voxeland, UnwritableOutputsEndWith5)
     expectFailure(into("/dev/full"), 5, {"/dev/full"});
 }
 
+TEST_F(Rawlog2voxeland, OutputsThatCannotBeWrittenAreNoticedBeforeTheWork)
+{
+    auto frames = smallFrames(2);
+    for (auto& f : frames) f.pose = nullptr;
+    write(frames);  // nothing to map: the work would end with 4
+    const std::string missing = m_folder.file("missing/file");
+    for (const std::string option : {"--timing", "--trace"})
+        for (const std::string& file : {missing, std::string("/proc/file")})
+            expectFailure(run({option, file}), 5, {file});
+    expectFailure(run({"--export-dir", in()}), 5, {"in.rawlog"});
+    expectFailure(run({"--export-dir", "/proc/self"}), 5, {"/map.ply"});
+    expectFailure(runProgram("rawlog2voxeland", {"-i", in(), "-o", "/proc/map"}), 5, {"/proc/map"});
+}
+
 TEST_F(Rawlog2voxeland, AMapThatCannotBeResumedEndsWith3)
 {
     write(smallFrames(2));

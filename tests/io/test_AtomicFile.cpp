@@ -45,6 +45,21 @@ TEST(AtomicFile, writesEveryByteAndNothingElse)
     EXPECT_EQ(filesIn(folder.path()), 1U);
 }
 
+TEST(AtomicFile, checkingBeforeTheWorkChangesNothing)
+{
+    const TemporaryFolder folder;
+    checkWritable(folder.file("new"));
+    EXPECT_EQ(filesIn(folder.path()), 0U);
+    writeText(folder.file("a"), "old");
+    checkWritable(folder.file("a"));
+    EXPECT_EQ(test::readFile(folder.file("a")), "old");
+    EXPECT_EQ(filesIn(folder.path()), 1U);
+    for (const char* file : {"", "/proc/file", "/proc"})
+        EXPECT_THROW(checkWritable(file), OutputError) << file;
+    EXPECT_THROW(checkWritable(folder.file("missing/a")), OutputError);
+    EXPECT_NO_THROW(checkWritable("/dev/full")) << "a device tells only when it is written";
+}
+
 TEST(AtomicFile, aWriterThatThrowsLeavesTheOldFile)
 {
     const TemporaryFolder folder;

@@ -68,6 +68,14 @@ void AtomicFile::fail(int error) const
                       remedy(error));
 }
 
+void checkWritable(const std::string& file)
+{
+    const AtomicFile target(file);
+    if (target.part() == file) return;  // opening a pipe would wait for its reader
+    errno = 0;
+    if (!std::ofstream(target.part(), std::ios::binary)) target.fail(errno);
+}
+
 void writeAtomically(const std::string& file, const std::function<void(std::ostream&)>& write)
 {
     AtomicFile target(file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/ExportAll.h"
 
+#include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/InstancesCsv.h"
 #include "voxeland/io/InstancesJson.h"
 #include "voxeland/io/MapPly.h"
@@ -10,6 +11,12 @@
 
 namespace voxeland
 {
+void checkExportFolder(const std::string& folder)
+{
+    makeOutputFolder(folder);
+    checkWritable(folder + "/map.ply");
+}
+
 std::vector<std::string> exportAll(const SemanticVoxelMap& map, const std::string& folder)
 {
     makeOutputFolder(folder);

@@ -33,6 +33,10 @@ class AtomicFile
     bool m_committed = false;
 };
 
+/** Makes sure before long work that a file can be written after it. Leaves nothing behind.
+ *  \throws OutputError if it cannot, or no name is given */
+void checkWritable(const std::string& file);
+
 /** Writes a whole file through AtomicFile.
  *  \param write puts the content into the stream; binary, and may throw
  *  \throws OutputError, naming the file, if not all of it could be written */
