@@ -53,7 +53,12 @@ struct Arguments : apps::CommandLine
         "",         "timing", "Write each frame's CPU time per stage [ms]", false, "",
         "FILE.csv", parser()};
     TCLAP::ValueArg<std::string> resume{
-        "",      "resume", "Go on with this map instead of an empty one", false, "", "MAP.voxeland",
+        "",
+        "resume",
+        "Go on with this map instead of an empty one; frames it has are left out with --from",
+        false,
+        "",
+        "MAP.voxeland",
         parser()};
     apps::SetArgument set{"configuration", parser()};
     TCLAP::ValueArg<uint32_t> every{"",  "every", "Use one frame in so many (default: 1)", false, 1,
@@ -105,16 +110,32 @@ void printSummary(const CVoxelandMap& map, const TimingLog& timing)
     timing.printSummary(std::cout);
 }
 
+/** Warns of a frame that the resumed map was made from. \param before what was mapped then */
+void warnOfRepetition(Arguments& arguments, const MappingCounts& before)
+{
+    const uint32_t met = before.frames + before.framesWithoutPose;
+    arguments.warn("frames of this rawlog are in '" + arguments.resume.getValue() +
+                   "' already and now count twice; it was made from " + counted(met, "frame") +
+                   ": if they are the first of this rawlog, go on with --from " +
+                   std::to_string(met));
+}
+
 /** Maps the rawlog. \return each frame's stage times */
 TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
 {
+    const MappingCounts before = map.counts();
+    auto timesBefore = timesOfViews(map.map());
     RawlogFrameSource source(
         arguments.input.getValue(), map.mapper().config().input,
         {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()});
     apps::Progress progress("frames", 0, !arguments.quiet());
     TimingLog timing;
     size_t done = 0;
-    mapRawlog(source, map, [&](const StageTimes& times) {
+    mapRawlog(source, map, [&](const mrpt::Clock::time_point& taken, const StageTimes& times) {
+        if (timesBefore.count(taken) > 0) {
+            warnOfRepetition(arguments, before);
+            timesBefore.clear();  // once will do
+        }
         timing.add(times);
         progress.update(++done, source.progress());
     });

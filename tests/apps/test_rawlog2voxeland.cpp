@@ -114,6 +114,36 @@ TEST_F(Rawlog2voxeland, ARunCutInTwoMakesTheSameMap)
     }
 }
 
+TEST_F(Rawlog2voxeland, ResumingOverFramesOfTheMapIsSaidOnce)
+{
+    auto frames = smallFrames(14);
+    frames[2].pose = nullptr;
+    frames[2].scan->timestamp += std::chrono::milliseconds(1);  // the poses around it are too far
+    write(frames);
+    const std::string first = m_folder.file("first.voxeland");
+    const std::vector<std::string> strict = {"--set", "voxeland.max_pose_gap=0.01"};
+    const auto resumed = [&](const std::string& from) {
+        auto options = strict;
+        options.insert(options.end(), {"--resume", first, "--from", from});
+        return run(options).errors;
+    };
+    mapMade("first.voxeland", {"--to", "5", strict[0], strict[1]});
+    EXPECT_EQ(resumed("6"), "");
+    for (const char* from : {"0", "3"}) {
+        const std::string said = resumed(from);
+        EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+        for (const char* part : {"first.voxeland", "twice", "6 frames", "--from 6"})
+            EXPECT_NE(said.find(part), std::string::npos) << said;
+    }
+    for (auto& f : frames) {
+        f.scan->timestamp += std::chrono::hours(1);
+        f.instances->timestamp += std::chrono::hours(1);
+        if (f.pose) f.pose->timestamp += std::chrono::hours(1);
+    }
+    write(frames);
+    EXPECT_EQ(resumed("0"), "") << "another rawlog";
+}
+
 TEST_F(Rawlog2voxeland, EmbeddedPredictionsGiveTheSameMapAsASidecar)
 {
     write(smallFrames(8));

@@ -62,7 +62,7 @@ class AssociationOfSimulation : public testing::Test
         const MapperConfig config(ini);
         CVoxelandMap map(config);
         RawlogFrameSource source(m_folder.file("sim.rawlog"), config.input, FrameRange());
-        mapRawlog(source, map, [](const StageTimes&) {});
+        mapRawlog(source, map, [](const auto&, const StageTimes&) {});
         return map.map();
     }
 

@@ -24,8 +24,9 @@ void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
 }
 }  // namespace
 
-void mapRawlog(RawlogFrameSource& source, CVoxelandMap& map,
-               const std::function<void(const StageTimes&)>& onFrame)
+void mapRawlog(
+    RawlogFrameSource& source, CVoxelandMap& map,
+    const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame)
 {
     bool mapped = false;
     {
@@ -34,11 +35,21 @@ void mapRawlog(RawlogFrameSource& source, CVoxelandMap& map,
         FramePreparer preparer(
             mapper, [&] { return predictor.next(); }, mapper.config().input.threads);
         while (auto frame = preparer.next()) {
-            onFrame(map.integrate(std::move(*frame)));
+            const auto time = frame->time;
+            onFrame(time, map.integrate(std::move(*frame)));
             mapped = true;
         }
     }
     checkSomethingMapped(source, mapped);
     map.addSkipped(source.skipped());
+}
+
+std::set<mrpt::Clock::time_point> timesOfViews(const SemanticVoxelMap& map)
+{
+    std::set<mrpt::Clock::time_point> times;
+    for (const auto& [id, instance] : map.instances())
+        for (const auto& [category, views] : instance.views.byCategory())
+            for (const InstanceView& view : views) times.insert(view.time);
+    return times;
 }
 }  // namespace voxeland
