@@ -29,6 +29,15 @@ std::string bytesOf(const CVoxelandMap& map)
     return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
 }
 
+std::shared_ptr<CVoxelandMap> readAgain(const CVoxelandMap& map)
+{
+    mrpt::io::CMemoryStream stream;
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    archive << map;
+    stream.Seek(0);
+    return archive.ReadObject<CVoxelandMap>();
+}
+
 void insertScan(mrpt::maps::CMetricMap& map, const SmallFrame& f)
 {
     map.insertObservation(*f.scan, f.pose->pose.mean);
@@ -101,6 +110,28 @@ TEST(CVoxelandMap, OtherObservationsAreLeftToOtherMaps)
     EXPECT_FALSE(labelled.insertObservation(*test::smallFrames(1)[0].scan));
 }
 
+TEST(CVoxelandMap, TheFirstCameraMetIsTheOnlyOneAlsoOnceWrittenAndRead)
+{
+    CVoxelandMap map;
+    const auto frames = test::smallFrames(4);
+    insert(map, frames[0]);
+    frames[1].scan->sensorLabel = frames[3].scan->sensorLabel = "rear";
+    EXPECT_FALSE(map.insertObservation(*frames[1].scan));
+    CVoxelandMap copy = map;
+    const auto read = readAgain(map);
+    for (auto* m : {&map, &copy, read.get()}) {
+        EXPECT_FALSE(m->insertObservation(*frames[3].scan, frames[3].pose->pose.mean));
+        insert(*m, frames[2]);
+        EXPECT_EQ(m->counts().frames, 2U);
+    }
+    EXPECT_EQ(bytesOf(*read), bytesOf(map));
+    EXPECT_EQ(bytesOf(copy), bytesOf(map));
+    auto named = mapWith("voxeland.depth_sensor_label=camera");
+    insert(named, frames[0]);
+    insert(named, frames[2]);
+    EXPECT_EQ(bytesOf(map), bytesOf(named)) << "as if the INI had named it";
+}
+
 TEST(CVoxelandMap, ClearEmptiesTheMapAndKeepsItsConfiguration)
 {
     auto map = mapWith("voxeland.prediction_wait=0");
@@ -133,11 +164,7 @@ TEST(CVoxelandMap, SerializationKeepsEverythingIncludingWhatWaits)
     for (int i = 0; i < 3; ++i) insert(map, frames[static_cast<size_t>(i)]);
     insertScan(map, frames[3]);
 
-    mrpt::io::CMemoryStream stream;
-    auto archive = mrpt::serialization::archiveFrom(stream);
-    archive << map;
-    stream.Seek(0);
-    const auto read = archive.ReadObject<CVoxelandMap>();
+    const auto read = readAgain(map);
     EXPECT_EQ(bytesOf(*read), bytesOf(map));
     ASSERT_FALSE(map.map().instances().empty());
     for (const auto& [id, instance] : map.map().instances())

@@ -42,6 +42,7 @@ void CVoxelandMap::setConfig(const MapperConfig& config)
         throw ConfigurationError(std::string("[map] ") + e.what());
     }
     m_configText = config.reproducibleText();
+    m_camera = config.input.depth_sensor_label;
     m_mapper.emplace(config);
     m_assembler.setLimits(config.input.prediction_wait, config.input.max_pose_gap);
 }
@@ -99,6 +100,14 @@ void CVoxelandMap::startAssembler()
     m_assembler = FrameAssembler(input.prediction_wait, PoseTrack(input.max_pose_gap));
 }
 
+void CVoxelandMap::keepTo(const std::string& camera)
+{
+    m_camera = camera;
+    // As MapperConfig would write it, without making its plugins anew.
+    static const std::string KEY = "\ndepth_sensor_label = ";
+    m_configText.insert(m_configText.find(KEY) + KEY.size(), camera);
+}
+
 bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
                                               const std::optional<const CPose3D>& robotPose)
 {
@@ -107,7 +116,8 @@ bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
         return label.empty() || label == observation.sensorLabel;
     };
     if (const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation)) {
-        if (!wanted(input.depth_sensor_label)) return false;
+        if (!wanted(m_camera)) return false;
+        if (m_camera.empty()) keepTo(scan->sensorLabel);
         m_assembler.addPose(scan->timestamp, robotPose.value_or(CPose3D()).asTPose());
         m_assembler.addScan(std::make_shared<CObservation3DRangeScan>(*scan));
     } else if (const auto* instances = dynamic_cast<const CObservationInstances*>(&observation)) {

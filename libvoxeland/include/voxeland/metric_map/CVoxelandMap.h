@@ -26,6 +26,9 @@ namespace voxeland
  * Likelihoods are as the loaded map's options say, but for those keys. Unknown keys and sections
  * are a ConfigurationError.
  *
+ *  Scans are those of one camera, `depth_sensor_label` or else the first one met, whose label then
+ * becomes part of the configuration.
+ *
  *  Depth scans and predictions come in separate insertObservation() calls, in either order; a scan
  * waits for its predictions while a few newer ones come (`prediction_wait`), see flush().
  *
@@ -144,10 +147,13 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** What observedPoints() knows. */
     bool internal_canComputeObservationLikelihood(
         const mrpt::obs::CObservation& observation) const override;
+    /** Takes scans of this sensor label alone from now on, also once written and read. */
+    void keepTo(const std::string& camera);
     void mapCompleteFrames();
     void startAssembler();
 
     std::string m_configText;
+    std::string m_camera;  //!< sensor label of the scans; empty: not known yet
     SharedVoxelMap m_map;
     MappingCounts m_counts;
     FrameAssembler m_assembler;
