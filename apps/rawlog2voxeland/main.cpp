@@ -163,11 +163,11 @@ TimingLog mapAndSave(Arguments& arguments, CVoxelandMap& map)
 }
 
 /** Complains before the work about outputs that cannot be written after it. */
-void checkWritable(Arguments& arguments)
+void checkOutputsWritable(Arguments& arguments)
 {
     if (arguments.exportDir.isSet()) checkExportFolder(arguments.exportDir.getValue());
     for (auto* output : {&arguments.output, &arguments.timing, &arguments.trace})
-        if (output->isSet()) voxeland::checkWritable(output->getValue());
+        if (output->isSet()) checkWritable(output->getValue());
 }
 
 int makeMap(Arguments& arguments)
@@ -194,7 +194,7 @@ int makeMap(Arguments& arguments)
         {input, RawlogFiles(input).sidecar.string(), arguments.poses.getValue(),
          arguments.config.getValue()});
     map->setConfig(config);
-    checkWritable(arguments);
+    checkOutputsWritable(arguments);
 
     const TimingLog timing = mapAndSave(arguments, *map);
     if (map->counts().framesWithoutPredictions == map->counts().frames)
