@@ -11,6 +11,9 @@ IMPLEMENTS_MRPT_OBJECT(CEvidentialAssociation, voxeland::CAssociationPolicy, vox
 
 namespace
 {
+using Assignments = std::vector<Assignment>;
+using Opinions = std::vector<OpinionOverlaps>;
+
 /** An opinion that could be about an instance. */
 struct Match
 {
@@ -19,14 +22,45 @@ struct Match
     double quality;
 };
 
+bool isAssigned(const Assignment& a)
+{
+    return a.instance != UNKNOWN_INSTANCE;
+}
+
 /** Whether an opinion that lies apart was found to be about that instance. */
-bool isTaken(const Match& match, const std::vector<OpinionOverlaps>& opinions,
-             const std::vector<Assignment>& assignments)
+bool isTaken(const Match& match, const Opinions& opinions, const Assignments& assignments)
 {
     for (size_t i = 0; i < opinions.size(); ++i)
         if (assignments[i].instance == match.instance && lieApart(opinions, match.opinion, i))
             return true;
     return false;
+}
+
+/** Whether any opinion was found to be about that instance. */
+bool isClaimed(instance_id_t instance, const Assignments& assignments)
+{
+    return std::any_of(assignments.begin(), assignments.end(),
+                       [=](const Assignment& a) { return a.instance == instance; });
+}
+
+/** Gives opinions that have no instance yet one that they match, the best matches first.
+ *  \param isMatch says of an Overlap whether the instance may get the opinion
+ *  \param quality says of an Overlap how good it is
+ *  \param isFree says of a Match, when its turn comes, whether the instance may still be had */
+template <typename IsMatch, typename Quality, typename IsFree>
+void assignBest(const Opinions& opinions, IsMatch&& isMatch, Quality&& quality, IsFree&& isFree,
+                Assignments& assignments)
+{
+    std::vector<Match> matches;
+    for (size_t i = 0; i < opinions.size(); ++i)
+        if (!isAssigned(assignments[i]))
+            for (const Overlap& o : opinions[i].candidates)
+                if (isMatch(o)) matches.push_back({i, o.instance, quality(o)});
+    std::stable_sort(matches.begin(), matches.end(),
+                     [](const Match& a, const Match& b) { return a.quality > b.quality; });
+    for (const Match& m : matches)
+        if (!isAssigned(assignments[m.opinion]) && isFree(m))
+            assignments[m.opinion].instance = m.instance;
 }
 }  // namespace
 
@@ -48,6 +82,8 @@ void CEvidentialAssociation::declareOptions(OptionList& options)
                 "Least semantic similarity of a piece");
     options.add("exclusive", m_exclusive,
                 "Detections of one frame that lie apart are never about the same instance");
+    options.add("unclaimed", m_unclaimed,
+                "An instance that no detection of a frame matches takes one that overlaps it less");
     options.add("use_similarity", m_useSimilarity,
                 "Let semantic similarity relax the thresholds; otherwise it counts as 0.5");
 }
@@ -68,6 +104,15 @@ bool CEvidentialAssociation::isMatch(const Overlap& o) const
     return isVisiblePart || isPiece;
 }
 
+bool CEvidentialAssociation::isMatchUnclaimed(const Overlap& o) const
+{
+    if (!m_useIoV) return false;
+    const bool isVisiblePart = o.iov() >= m_tauIoVRelaxed && o.iom() >= m_tauIoVRelaxed;
+    const bool isOutvoted =
+        o.touched() >= m_tauPiece && similarity(o.similarity) >= m_pieceSimilarity;
+    return isVisiblePart || isOutvoted;
+}
+
 double CEvidentialAssociation::quality(const Overlap& o) const
 {
     return o.iov() + o.iom() + similarity(o.similarity);
@@ -76,20 +121,19 @@ double CEvidentialAssociation::quality(const Overlap& o) const
 std::vector<Assignment> CEvidentialAssociation::associate(
     const std::vector<OpinionOverlaps>& opinions, const SemanticVoxelMap&) const
 {
-    std::vector<Match> matches;
-    for (size_t i = 0; i < opinions.size(); ++i)
-        for (const Overlap& o : opinions[i].candidates)
-            if (isMatch(o)) matches.push_back({i, o.instance, quality(o)});
-    std::stable_sort(matches.begin(), matches.end(),
-                     [](const Match& a, const Match& b) { return a.quality > b.quality; });
-
-    std::vector<Assignment> assignments(opinions.size());
+    Assignments assignments(opinions.size());
     for (size_t i = 0; i < opinions.size(); ++i)
         assignments[i].newInstance = static_cast<uint32_t>(i);
-    for (const Match& m : matches)
-        if (assignments[m.opinion].instance == UNKNOWN_INSTANCE &&
-            !(m_exclusive && isTaken(m, opinions, assignments)))
-            assignments[m.opinion].instance = m.instance;
+
+    const auto qualityOf = [this](const Overlap& o) { return quality(o); };
+    assignBest(
+        opinions, [this](const Overlap& o) { return isMatch(o); }, qualityOf,
+        [&](const Match& m) { return !(m_exclusive && isTaken(m, opinions, assignments)); },
+        assignments);
+    if (m_unclaimed)
+        assignBest(
+            opinions, [this](const Overlap& o) { return isMatchUnclaimed(o); }, qualityOf,
+            [&](const Match& m) { return !isClaimed(m.instance, assignments); }, assignments);
     return assignments;
 }
 

@@ -14,6 +14,14 @@ namespace voxeland
  *  Among several instances the one with the greatest sum of IoV, IoM and S_sem gets it. Of the
  *  opinions of a frame that lie apart, only the best one gets an instance: detectors seldom see an
  *  object in pieces, but a mask that once covered two objects would tie them together forever.
+ *
+ *  What is left may go to an instance that no opinion of the frame is about so far, since nothing
+ *  else explains why that instance is not seen:
+ *   - IoV and IoM need to reach tau_iov_relaxed only, whatever the categories: an object is often
+ *     called something else from another side; or
+ *   - the instance was seen in a share of tau_piece of the opinion's voxels before, with a S_sem of
+ *     piece_similarity, but others outvote it there. Otherwise each sight of a cup on what a table
+ *     has claimed would begin another instance, none of which could ever win a voxel.
  */
 class CEvidentialAssociation : public CAssociationPolicy
 {
@@ -32,11 +40,13 @@ class CEvidentialAssociation : public CAssociationPolicy
     [[nodiscard]] double similarity(double measured) const;
     /** Whether the instance may get the opinion. */
     [[nodiscard]] bool isMatch(const Overlap& overlap) const;
+    /** The same for an instance that no other opinion of the frame is about. */
+    [[nodiscard]] bool isMatchUnclaimed(const Overlap& overlap) const;
     /** Orders the instances an opinion matches: IoV + IoM + S_sem. */
     [[nodiscard]] double quality(const Overlap& overlap) const;
 
     double m_tauIoU = 0.5, m_tauIoVStrict = 0.6, m_tauIoVRelaxed = 0.25;
     double m_tauPiece = 0.8, m_pieceSimilarity = 0.3;
-    bool m_useIoV = true, m_exclusive = true, m_useSimilarity = true;
+    bool m_useIoV = true, m_exclusive = true, m_useSimilarity = true, m_unclaimed = true;
 };
 }  // namespace voxeland

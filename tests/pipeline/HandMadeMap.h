@@ -53,11 +53,13 @@ inline double evidenceOf(const SemanticVoxelMap& map, instance_id_t id)
     return sum;
 }
 
-/** The paper's association, which lets overlap and categories decide about merging. */
-inline std::shared_ptr<const CAssociationPolicy> evidentialPolicy()
+/** The paper's association, which lets overlap and categories decide about merging.
+ *  \param keys more lines of its section */
+inline std::shared_ptr<const CAssociationPolicy> evidentialPolicy(const std::string& keys = "")
 {
     return MapperConfig(Ini::fromText("[association]\nplugin = evidential_association\n"
-                                      "class = CEvidentialAssociation\nuse_similarity = true\n",
+                                      "class = CEvidentialAssociation\n" +
+                                          keys,
                                       "the test"))
         .association;
 }

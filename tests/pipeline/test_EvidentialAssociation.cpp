@@ -22,11 +22,12 @@ struct TwoOpinions
     }
 
     /** Both overlap with one instance of 200 visible voxels. */
-    std::vector<instance_id_t> assigned(uint32_t first, uint32_t second, double similarity)
+    std::vector<instance_id_t> assigned(uint32_t first, uint32_t second, double similarity,
+                                        const std::string& keys = "unclaimed = false")
     {
         overlaps[0].candidates = {{7, first, 100, 200, 200, 100, similarity}};
         overlaps[1].candidates = {{7, second, 100, 200, 200, 100, similarity}};
-        const auto assignments = evidentialPolicy()->associate(overlaps, SemanticVoxelMap());
+        const auto assignments = evidentialPolicy(keys)->associate(overlaps, SemanticVoxelMap());
         return {assignments[0].instance, assignments[1].instance};
     }
 
@@ -34,6 +35,18 @@ struct TwoOpinions
     std::vector<OpinionOverlaps> overlaps;
 };
 using Ids = std::vector<instance_id_t>;
+
+/** Where one opinion goes that overlaps as given, if nothing else is in the frame. */
+instance_id_t assigned(const std::vector<Overlap>& candidates, const std::string& keys = "")
+{
+    Opinion opinion;
+    opinion.voxels.resize(100);
+    OpinionOverlaps overlaps;
+    overlaps.opinion = &opinion;
+    overlaps.shared = {0};
+    overlaps.candidates = candidates;
+    return evidentialPolicy(keys)->associate({overlaps}, SemanticVoxelMap())[0].instance;
+}
 }  // namespace
 
 TEST(EvidentialAssociation, DetectionsThatLieApartAreTwoObjects)
@@ -57,13 +70,39 @@ TEST(EvidentialAssociation, APieceNeedsToLieWithinAndToBeSimilar)
 
 TEST(EvidentialAssociation, WhatOverlapsLessButIsNamedAlikeIsPreferred)
 {
-    Opinion opinion;
-    opinion.voxels.resize(100);
-    OpinionOverlaps overlaps;
-    overlaps.opinion = &opinion;
-    overlaps.shared = {0};
-    overlaps.candidates = {{3, 90, 100, 150, 150, 100, 0.1},   // 0.6 + 0.9 + 0.1
-                           {8, 80, 100, 200, 200, 100, 0.5}};  // 0.4 + 0.8 + 0.5
-    const auto assignments = evidentialPolicy()->associate({overlaps}, SemanticVoxelMap());
-    EXPECT_EQ(assignments[0].instance, 8U);
+    EXPECT_EQ(assigned({{3, 90, 100, 150, 150, 100, 0.1},    // 0.6 + 0.9 + 0.1
+                        {8, 80, 100, 200, 200, 100, 0.5}}),  // 0.4 + 0.8 + 0.5
+              8U);
+}
+
+TEST(EvidentialAssociation, AnInstanceNobodyClaimsIsSeenUnderAnotherName)
+{
+    // IoV 0.25 and IoM 0.5: far from what differing categories need otherwise.
+    EXPECT_EQ(assigned({{3, 50, 100, 400, 200, 100, 0}}), 3U);
+    EXPECT_EQ(assigned({{3, 49, 100, 400, 200, 100, 0}}), UNKNOWN_INSTANCE);  // IoV 0.245
+    EXPECT_EQ(assigned({{3, 24, 100, 400, 50, 100, 0}}), UNKNOWN_INSTANCE);   // IoM 0.24
+    EXPECT_EQ(assigned({{3, 50, 100, 400, 200, 100, 0}}, "unclaimed = false"), UNKNOWN_INSTANCE);
+    EXPECT_EQ(assigned({{3, 50, 100, 400, 200, 100, 0}}, "use_iov = false"), UNKNOWN_INSTANCE);
+}
+
+TEST(EvidentialAssociation, AClaimedInstanceIsNotSeenUnderAnotherName)
+{
+    // The first matches as usual; the second would if the instance were free. They share half of
+    // their voxels, so that they do not lie apart.
+    TwoOpinions two(50);
+    EXPECT_EQ(two.assigned(95, 50, 0.6, "unclaimed = true"), (Ids{7, UNKNOWN_INSTANCE}));
+    EXPECT_EQ(two.assigned(50, 51, 0.6, "unclaimed = true"), (Ids{UNKNOWN_INSTANCE, 7}))
+        << "of two that would, the better one";
+}
+
+TEST(EvidentialAssociation, AnOutvotedInstanceIsFoundWhereItWasSeen)
+{
+    // Of no voxel of the opinion enough evidence is for it, but it was seen in 80 of 100.
+    Overlap outvoted{3, 0, 100, 20, 0, 100, 0.3, 80};
+    EXPECT_EQ(assigned({outvoted}), 3U);
+    outvoted.touchedVoxels = 79;
+    EXPECT_EQ(assigned({outvoted}), UNKNOWN_INSTANCE);
+    outvoted.touchedVoxels = 80;
+    outvoted.similarity = 0.29;
+    EXPECT_EQ(assigned({outvoted}), UNKNOWN_INSTANCE);
 }

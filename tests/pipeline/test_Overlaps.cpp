@@ -74,7 +74,7 @@ TEST(OverlapFinder, CountsWhatBruteForceCounts)
     (void)finder.find(frame, map);  // nothing of one frame may be left for the next
     const auto found = finder.find(frame, map);
     ASSERT_EQ(found.size(), 2U);
-    uint32_t hidden = 0;
+    uint32_t hidden = 0, outvoted = 0;
     for (size_t i = 0; i < found.size(); ++i) {
         const Opinion& opinion = frame.opinions[i];
         EXPECT_EQ(found[i].opinion, &opinion);
@@ -84,10 +84,12 @@ TEST(OverlapFinder, CountsWhatBruteForceCounts)
             mapped += map.evidence(frame.voxels.hits()[v.hit].coord) != nullptr ? 1 : 0;
         EXPECT_LT(mapped, opinion.voxels.size());
         for (instance_id_t id = 1; id <= 5; ++id) {
-            uint32_t common = 0, visible = 0, all = 0;
+            uint32_t common = 0, touched = 0, visible = 0, all = 0;
             for (const OpinionVoxel& v : opinion.voxels) {
                 const auto* evidence = map.evidence(frame.voxels.hits()[v.hit].coord);
-                common += evidence != nullptr && isMember(*evidence, id) ? 1 : 0;
+                if (evidence == nullptr) continue;
+                common += isMember(*evidence, id) ? 1 : 0;
+                touched += evidence->alphaOf(id) > 0 ? 1 : 0;
             }
             map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
                 if (!isMember(evidence, id)) return;
@@ -101,11 +103,14 @@ TEST(OverlapFinder, CountsWhatBruteForceCounts)
             EXPECT_EQ(o.instanceVoxels, all);
             EXPECT_EQ(o.visibleVoxels, visible);
             EXPECT_EQ(o.mappedVoxels, mapped);
+            EXPECT_EQ(o.touchedVoxels, touched);
+            outvoted += touched - common;
             EXPECT_NEAR(o.similarity, i == 0 && id <= 3 ? 1 : 0, 1e-9);
             hidden += all - visible;
         }
     }
     EXPECT_GT(hidden, 100U) << "the map must have something that the camera cannot see";
+    EXPECT_GT(outvoted, 5U) << "instances must have evidence in voxels that others have";
 }
 
 TEST(OverlapFinder, NewCategoriesGetNumbersAndAnEmptyMapHasNoCandidates)

@@ -65,13 +65,16 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
         overlaps.opinion = &opinion;
         overlaps.categories = numbered(opinion.categories, map.categories());
         m_common.clear();
+        m_touched.clear();
         uint32_t mapped = 0;
         for (const OpinionVoxel& v : opinion.voxels)
             if (const VoxelEvidence* evidence = map.evidence(frame.voxels.hits()[v.hit].coord)) {
                 ++mapped;
                 map.forEachMember(*evidence, [this](instance_id_t id) { m_common.add(id); });
+                for (const auto& e : *evidence)
+                    if (e.instance != UNKNOWN_INSTANCE) m_touched.add(e.instance);
             }
-        for (const instance_id_t id : m_common.counted()) {
+        for (const instance_id_t id : m_touched.counted()) {
             const Instance& instance = map.instance(id);
             Overlap o;
             o.instance = id;
@@ -80,6 +83,7 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
             o.instanceVoxels = instance.voxels;
             o.visibleVoxels = m_visible.of(id);
             o.mappedVoxels = mapped;
+            o.touchedVoxels = m_touched.of(id);
             o.similarity = semanticSimilarity(overlaps.categories, instance.evidence());
             overlaps.candidates.push_back(o);
         }

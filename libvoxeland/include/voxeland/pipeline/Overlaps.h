@@ -22,6 +22,6 @@ class OverlapFinder
  private:
     void countVisible(const ObservedSpace& space, const SemanticVoxelMap& map);
 
-    InstanceCounter m_visible, m_common;
+    InstanceCounter m_visible, m_common, m_touched;
 };
 }  // namespace voxeland

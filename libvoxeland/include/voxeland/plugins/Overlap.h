@@ -20,6 +20,8 @@ struct Overlap
     uint32_t mappedVoxels = 0;    //!< voxels of the opinion where the map had evidence before, for
                                   //!< whatever instance
     double similarity = 0;        //!< S_sem, see semanticSimilarity()
+    uint32_t touchedVoxels = 0;   //!< voxels of the opinion where the instance has any evidence,
+                                  //!< even where it is outvoted and they are not part of it
 
     /** Intersection over union, in [0,1]. */
     [[nodiscard]] double iou() const
@@ -32,19 +34,24 @@ struct Overlap
     [[nodiscard]] double iov() const
     {
         return static_cast<double>(intersection) /
-               static_cast<double>(std::max(visibleVoxels, intersection));
+               static_cast<double>(std::max({visibleVoxels, intersection, 1U}));
     }
-    /** Intersection over mapped, in (0,1]: how much of what the map knew of the opinion's place
+    /** Intersection over mapped, in [0,1]: how much of what the map knew of the opinion's place
      * belongs to the instance. The mirror image of iov(): without it a table's mask would match the
      * cup that stands on the table, all of whose visible voxels it covers. */
     [[nodiscard]] double iom() const
     {
         return static_cast<double>(intersection) /
-               static_cast<double>(std::max(mappedVoxels, intersection));
+               static_cast<double>(std::max({mappedVoxels, intersection, 1U}));
+    }
+    /** Share of the opinion in which the instance was seen before, outvoted or not, in [0,1]. */
+    [[nodiscard]] double touched() const
+    {
+        return static_cast<double>(touchedVoxels) / static_cast<double>(opinionVoxels);
     }
 };
 
-/** An opinion with all map instances it overlaps, ordered by id. */
+/** An opinion with all map instances that have evidence in its voxels, ordered by id. */
 struct OpinionOverlaps
 {
     const Opinion* opinion = nullptr;
