@@ -35,7 +35,7 @@ void updateOccupancy(benchmark::State& state)
 struct AssociatedFrames
 {
     std::vector<std::vector<OpinionOverlaps>> opinions;
-    std::vector<std::vector<instance_id_t>> instances;
+    std::vector<std::vector<instance_id_t>> instances, missed;
 
     explicit AssociatedFrames(SemanticVoxelMap& map)
     {
@@ -45,6 +45,7 @@ struct AssociatedFrames
             opinions.push_back(finder.find(frame, map));
             instances.push_back(
                 resolveAssignments(config.association->associate(opinions.back(), map), map));
+            missed.push_back(finder.missed(instances.back(), config.integration.missed_share, map));
         }
     }
 };
@@ -60,8 +61,8 @@ void raysOccupancyAndEvidence(benchmark::State& state)
         const size_t n = i++ % frames.size();
         const auto space = castRays(frames[n].voxels, config.integration.visibility_margin);
         integrateOccupancy(space, map);
-        integrateGeometry(frames[n], associated.instances[n], config.integration.unknown_weight,
-                          map);
+        integrateGeometry(frames[n], associated.instances[n], associated.missed[n],
+                          config.integration.unknown_weight, map);
         integrateSemantics(associated.opinions[n], associated.instances[n], i,
                            config.integration.sharpness, map);
     }

@@ -110,7 +110,7 @@ TEST(IntegrateGeometry, CountsLessWhereThePoseIsUncertain)
 {
     auto [map, id, frame, hit, points] = allButOnePointClaimed();
     frame.uncertainty = shaking(0.02);
-    integrateGeometry(frame, {id}, 0.2, map);
+    integrateGeometry(frame, {id}, {}, 0.2, map);
     const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
     const auto trust = static_cast<float>(probabilityOfStaying(0.02, RESOLUTION));
     EXPECT_FLOAT_EQ(evidence.alphaOf(id), trust * (points - 1));
@@ -121,7 +121,7 @@ TEST(IntegrateGeometry, PointsNobodyClaimsAreWeighedForUnknown)
 {
     SemanticVoxelMap map;
     const auto frame = wallFrame();
-    integrateGeometry(frame, {}, 0.25, map);
+    integrateGeometry(frame, {}, {}, 0.25, map);
     for (const HitVoxel& h : frame.voxels.hits()) {
         const VoxelEvidence* evidence = map.evidence(h.coord);
         ASSERT_NE(evidence, nullptr);
@@ -130,10 +130,31 @@ TEST(IntegrateGeometry, PointsNobodyClaimsAreWeighedForUnknown)
     }
 }
 
+TEST(IntegrateGeometry, WhatTheDetectorMissedIsNoEvidenceForUnknown)
+{
+    const auto frame = wallFrame();
+    const VoxelCoord won = frame.voxels.hits()[0].coord, lost = frame.voxels.hits()[1].coord,
+                     others = frame.voxels.hits()[2].coord, nobodys = frame.voxels.hits()[3].coord;
+    SemanticVoxelMap map;
+    const instance_id_t missed = map.createInstance().id, seen = map.createInstance().id;
+    map.addEvidence(won, missed, 2);
+    map.addEvidence(lost, missed, 2);
+    map.addEvidence(lost, UNKNOWN_INSTANCE, 3);
+    map.addEvidence(others, seen, 2);
+    integrateGeometry(frame, {}, {missed}, 0.2, map);
+    const auto unknownAt = [&](const VoxelCoord& v) {
+        return map.evidence(v)->alphaOf(UNKNOWN_INSTANCE);
+    };
+    EXPECT_EQ(unknownAt(won), 0);
+    EXPECT_GT(unknownAt(lost), 3) << "unknown has won that voxel before";
+    EXPECT_GT(unknownAt(others), 0);
+    EXPECT_GT(unknownAt(nobodys), 0);
+}
+
 TEST(IntegrateGeometry, ClaimedPointsGoToTheInstanceAndTheRestToUnknown)
 {
     auto [map, id, frame, hit, points] = allButOnePointClaimed();
-    integrateGeometry(frame, {id}, 0.2, map);
+    integrateGeometry(frame, {id}, {}, 0.2, map);
     const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
     EXPECT_FLOAT_EQ(evidence.alphaOf(id), points - 1) << "confidence does not weigh a sole claim";
     EXPECT_FLOAT_EQ(evidence.alphaOf(UNKNOWN_INSTANCE), 0.2F);
@@ -148,7 +169,7 @@ TEST(IntegrateGeometry, PointsClaimedTwiceAreSharedByConfidence)
     const uint32_t hit = hitWith(frame, 4);
     const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
     frame.opinions = {opinion(hit, points, 0.9F), opinion(hit, points, 0.3F)};
-    integrateGeometry(frame, {a, b}, 0.2, map);
+    integrateGeometry(frame, {a, b}, {}, 0.2, map);
     const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
     EXPECT_FLOAT_EQ(evidence.alphaOf(a), points * 0.75F);
     EXPECT_FLOAT_EQ(evidence.alphaOf(b), points * 0.25F);
@@ -163,7 +184,7 @@ TEST(IntegrateGeometry, TwoOpinionsAboutOneInstanceCountTheirPointsOnce)
     const uint32_t hit = hitWith(frame, 4);
     const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
     frame.opinions = {opinion(hit, points, 0.9F), opinion(hit, points, 0.3F)};
-    integrateGeometry(frame, {id, id}, 0.2, map);
+    integrateGeometry(frame, {id, id}, {}, 0.2, map);
     EXPECT_FLOAT_EQ(map.evidence(frame.voxels.hits()[hit].coord)->alphaOf(id), points);
 }
 

@@ -33,6 +33,7 @@ TEST(MapperConfig, HasDefaultsForEverything)
     EXPECT_EQ(config.map.occupancy.prob_min, 0.12);
     EXPECT_EQ(config.map.occupancy.prob_max, 0.97);
     EXPECT_EQ(config.integration.unknown_weight, 0.2);
+    EXPECT_EQ(config.integration.missed_share, 0.5);
     EXPECT_EQ(config.refinement.every, 30u);
     ASSERT_TRUE(config.converter);
     ASSERT_TRUE(config.association);

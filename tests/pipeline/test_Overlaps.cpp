@@ -113,6 +113,28 @@ TEST(OverlapFinder, CountsWhatBruteForceCounts)
     EXPECT_GT(outvoted, 5U) << "instances must have evidence in voxels that others have";
 }
 
+TEST(OverlapFinder, InstancesInViewThatNoOpinionIsAboutWereMissed)
+{
+    PreparedFrame frame = steppedWall();
+    frame.opinions.clear();
+    SemanticVoxelMap map = handMadeMap();
+    const auto& hits = frame.voxels.hits();
+    const VoxelCoord outOfView = hits[0].coord + VoxelCoord{0, 0, -1000};
+    // Of the first all is in view, of the second half, of the third a third.
+    for (int hidden = 0; hidden < 3; ++hidden) {
+        const instance_id_t id = addInstance(map, "chair");
+        addBox(map, id, hits[static_cast<size_t>(10 * hidden)].coord, {1, 1, 1});
+        addBox(map, id, outOfView + VoxelCoord{10 * hidden, 0, 0}, {hidden, 1, 1});
+    }
+    OverlapFinder finder;
+    EXPECT_TRUE(finder.find(frame, map).empty());
+    using Ids = std::vector<instance_id_t>;
+    EXPECT_EQ(finder.missed({}, 0.5, map), (Ids{1, 2}));
+    EXPECT_EQ(finder.missed({}, 0.51, map), (Ids{1}));
+    EXPECT_EQ(finder.missed({}, 0.33, map), (Ids{1, 2, 3}));
+    EXPECT_EQ(finder.missed({7, 1}, 0.5, map), (Ids{2}));
+}
+
 TEST(OverlapFinder, NewCategoriesGetNumbersAndAnEmptyMapHasNoCandidates)
 {
     const PreparedFrame frame = steppedWall();

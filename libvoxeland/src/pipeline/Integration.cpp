@@ -49,6 +49,15 @@ double trustIn(const mrpt::math::TPoint3D& place, const PoseUncertainty& uncerta
     return probabilityOfStaying(uncertainty.displacement(place), resolution);
 }
 
+/** Whether one of some instances, given in increasing order, wins a voxel. */
+bool isWonByAny(const std::vector<instance_id_t>& instances, const VoxelCoord& voxel,
+                const SemanticVoxelMap& map)
+{
+    const VoxelEvidence* evidence = instances.empty() ? nullptr : map.evidence(voxel);
+    return evidence != nullptr &&
+           std::binary_search(instances.begin(), instances.end(), map.winner(*evidence));
+}
+
 /** trustIn() the points of each hit voxel; 1 where the pose counts as exact. */
 std::vector<float> trustInHits(const PreparedFrame& frame)
 {
@@ -100,7 +109,8 @@ std::vector<instance_id_t> resolveAssignments(const std::vector<Assignment>& ass
 }
 
 void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id_t>& instances,
-                       double unknownWeight, SemanticVoxelMap& map)
+                       const std::vector<instance_id_t>& missed, double unknownWeight,
+                       SemanticVoxelMap& map)
 {
     const std::vector<HitVoxel>& hits = frame.voxels.hits();
     const std::vector<float> trust = trustInHits(frame);
@@ -124,7 +134,7 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
     const auto weight = static_cast<float>(unknownWeight);
     for (size_t h = 0; h < hits.size(); ++h) {
         const float unclaimed = static_cast<float>(hits[h].points) - claimed[h];
-        if (unclaimed * weight > 0)
+        if (unclaimed * weight > 0 && !isWonByAny(missed, hits[h].coord, map))
             map.addEvidence(hits[h].coord, UNKNOWN_INSTANCE, unclaimed * weight * trust[h]);
     }
 }

@@ -3,6 +3,7 @@
 
 #include "voxeland/map/SemanticVoxelMap.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace voxeland
@@ -58,7 +59,6 @@ void OverlapFinder::countVisible(const ObservedSpace& space, const SemanticVoxel
 std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, SemanticVoxelMap& map)
 {
     std::vector<OpinionOverlaps> result;
-    if (frame.opinions.empty()) return result;
     countVisible(frame.space, map);
     for (const Opinion& opinion : frame.opinions) {
         OpinionOverlaps overlaps;
@@ -91,5 +91,16 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
     }
     countShared(result, frame.voxels.hits().size());
     return result;
+}
+
+std::vector<instance_id_t> OverlapFinder::missed(const std::vector<instance_id_t>& claimed,
+                                                 double share, const SemanticVoxelMap& map)
+{
+    std::vector<instance_id_t> missed;
+    for (const instance_id_t id : m_visible.counted()) {
+        const bool isClaimed = std::find(claimed.begin(), claimed.end(), id) != claimed.end();
+        if (!isClaimed && m_visible.of(id) >= share * map.instance(id).voxels) missed.push_back(id);
+    }
+    return missed;
 }
 }  // namespace voxeland

@@ -112,7 +112,8 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
         const auto instances = resolveAssignments(assignments, map);
         if (m_trace) m_trace->opinions(counts.frames, opinions, assignments, instances);
         integrateOccupancy(frame.space, map, frame.uncertainty);
-        integrateGeometry(frame, instances, m_config.integration.unknown_weight, map);
+        const auto missed = m_overlaps.missed(instances, m_config.integration.missed_share, map);
+        integrateGeometry(frame, instances, missed, m_config.integration.unknown_weight, map);
         integrateSemantics(opinions, instances, counts.frames, m_config.integration.sharpness, map);
         recordViews(frame, opinions, instances, counts.frames, map);
     }

@@ -20,10 +20,14 @@ std::vector<instance_id_t> resolveAssignments(const std::vector<Assignment>& ass
 /** Geometric integration (paper, "Continuous Map Integration"): alpha_k of a voxel grows by the
  * number of 3D points that the opinions about instance k have in it. Where opinions claim the same
  * points, each gets its share, weighted by confidence. Points that nobody claims are evidence for
- * *unknown*. Where the pose is uncertain, points count by the probability that they are in the
- * right voxel. \param instances that of each opinion, in the same order */
+ * *unknown*, but for those in voxels that an instance wins which the detector missed. Where the
+ * pose is uncertain, points count by the probability that they are in the right voxel.
+ * \param instances that of each opinion, in the same order
+ * \param missed instances that are in view though no opinion is about them, in increasing order
+ * \param unknownWeight evidence of a point for *unknown* */
 void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id_t>& instances,
-                       double unknownWeight, SemanticVoxelMap& map);
+                       const std::vector<instance_id_t>& missed, double unknownWeight,
+                       SemanticVoxelMap& map);
 
 /** Semantic integration: beta_l of an instance grows by confidence times the opinion's probability
  * of l, raised to `sharpness` and normalized. The paper adds the confidence to the most probable

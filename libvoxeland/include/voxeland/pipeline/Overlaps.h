@@ -19,6 +19,14 @@ class OverlapFinder
      * are added to the map's table. */
     std::vector<OpinionOverlaps> find(const PreparedFrame& frame, SemanticVoxelMap& map);
 
+    /** Instances that the detector most likely missed: after find(), those of which the frame shows
+     * a share of the voxels though none of its opinions is about them. Cost: the instances in view.
+     * \param claimed the instances that its opinions are about
+     * \param share in [0,1]
+     * \return in increasing order */
+    [[nodiscard]] std::vector<instance_id_t> missed(const std::vector<instance_id_t>& claimed,
+                                                    double share, const SemanticVoxelMap& map);
+
  private:
     void countVisible(const ObservedSpace& space, const SemanticVoxelMap& map);
 
