@@ -129,10 +129,11 @@ TEST(OverlapFinder, InstancesInViewThatNoOpinionIsAboutWereMissed)
     OverlapFinder finder;
     EXPECT_TRUE(finder.find(frame, map).empty());
     using Ids = std::vector<instance_id_t>;
-    EXPECT_EQ(finder.missed({}, 0.5, map), (Ids{1, 2}));
-    EXPECT_EQ(finder.missed({}, 0.51, map), (Ids{1}));
+    EXPECT_EQ(finder.missed({}, 0.49, map), (Ids{1, 2}));
+    EXPECT_EQ(finder.missed({}, 0.5, map), (Ids{1}));
+    EXPECT_TRUE(finder.missed({}, 1, map).empty());
     EXPECT_EQ(finder.missed({}, 0.33, map), (Ids{1, 2, 3}));
-    EXPECT_EQ(finder.missed({7, 1}, 0.5, map), (Ids{2}));
+    EXPECT_EQ(finder.missed({7, 1}, 0.49, map), (Ids{2}));
 }
 
 TEST(OverlapFinder, NewCategoriesGetNumbersAndAnEmptyMapHasNoCandidates)

@@ -51,7 +51,7 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
              "Evidence for 'unknown' of a depth pixel that no detection claims");
     list.add("missed_share", integration.missed_share, {0, 1},
              "A missed detection is no evidence for 'unknown': voxels of an instance that no "
-             "detection is about stay as they are in frames that show this share of it");
+             "detection is about stay as they are in frames that show more than this share of it");
     list.add("sharpness", integration.sharpness, {1, 100},
              "Exponent of category probabilities before they count as evidence; large: the most "
              "probable category alone, as in the paper");

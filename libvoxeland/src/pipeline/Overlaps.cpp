@@ -99,7 +99,7 @@ std::vector<instance_id_t> OverlapFinder::missed(const std::vector<instance_id_t
     std::vector<instance_id_t> missed;
     for (const instance_id_t id : m_visible.counted()) {
         const bool isClaimed = std::find(claimed.begin(), claimed.end(), id) != claimed.end();
-        if (!isClaimed && m_visible.of(id) >= share * map.instance(id).voxels) missed.push_back(id);
+        if (!isClaimed && m_visible.of(id) > share * map.instance(id).voxels) missed.push_back(id);
     }
     return missed;
 }

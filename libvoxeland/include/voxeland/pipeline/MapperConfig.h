@@ -30,8 +30,8 @@ struct InputOptions
 struct IntegrationOptions
 {
     double unknown_weight = 0.2;  //!< evidence for *unknown* of a pixel that no opinion claims
-    /** No voxel of an instance counts as *unknown* in a frame that shows this share of the
-     * instance, in [0,1], but has no opinion about it. */
+    /** No voxel of an instance counts as *unknown* in a frame that shows more than this
+     * share of the instance, in [0,1], but has no opinion about it. */
     double missed_share = 0.5;
     double sharpness =
         2;  //!< exponent of category probabilities before they count as evidence, >= 1

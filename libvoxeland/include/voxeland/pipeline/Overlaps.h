@@ -20,10 +20,9 @@ class OverlapFinder
     std::vector<OpinionOverlaps> find(const PreparedFrame& frame, SemanticVoxelMap& map);
 
     /** Instances that the detector most likely missed: after find(), those of which the frame shows
-     * a share of the voxels though none of its opinions is about them. Cost: the instances in view.
-     * \param claimed the instances that its opinions are about
-     * \param share in [0,1]
-     * \return in increasing order */
+     * more than a share of the voxels though none of its opinions is about them. Cost: the
+     * instances in view. \param claimed the instances that its opinions are about \param share in
+     * [0,1]; 1: none was \return in increasing order */
     [[nodiscard]] std::vector<instance_id_t> missed(const std::vector<instance_id_t>& claimed,
                                                     double share, const SemanticVoxelMap& map);
 
