@@ -95,6 +95,7 @@ double CEvidentialAssociation::similarity(double measured) const
 
 bool CEvidentialAssociation::isMatch(const Overlap& o) const
 {
+    if (o.intersection == 0) return false;  // the instance is outvoted wherever it was seen
     if (o.iou() >= m_tauIoU) return true;
     if (!m_useIoV) return false;
     const double s = similarity(o.similarity);
@@ -108,9 +109,9 @@ bool CEvidentialAssociation::isMatchUnclaimed(const Overlap& o) const
 {
     if (!m_useIoV) return false;
     const bool isVisiblePart = o.iov() >= m_tauIoVRelaxed && o.iom() >= m_tauIoVRelaxed;
-    const bool isOutvoted =
-        o.touched() >= m_tauPiece && similarity(o.similarity) >= m_pieceSimilarity;
-    return isVisiblePart || isOutvoted;
+    const bool wasSeenHere =
+        o.touched() >= m_tauPiece && m_useSimilarity && o.similarity >= m_pieceSimilarity;
+    return isVisiblePart || wasSeenHere;
 }
 
 double CEvidentialAssociation::quality(const Overlap& o) const

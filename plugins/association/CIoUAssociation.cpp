@@ -36,6 +36,7 @@ std::vector<Assignment> CIoUAssociation::associate(const std::vector<OpinionOver
         best.newInstance = static_cast<uint32_t>(assignments.size());
         double bestIoU = m_tauIoU;
         for (const Overlap& candidate : o.candidates) {
+            if (candidate.intersection == 0) continue;
             const CategoryEvidence known = map.instance(candidate.instance).evidence();
             if (m_sameCategory && !haveSameTopCategory(known, o.categories)) continue;
             const bool better = best.instance == UNKNOWN_INSTANCE ? candidate.iou() >= bestIoU

@@ -103,6 +103,8 @@ TEST(EvidentialAssociation, AnOutvotedInstanceIsFoundWhereItWasSeen)
     outvoted.touchedVoxels = 79;
     EXPECT_EQ(assigned({outvoted}), UNKNOWN_INSTANCE);
     outvoted.touchedVoxels = 80;
+    EXPECT_EQ(assigned({outvoted}, "use_similarity = false"), UNKNOWN_INSTANCE);
     outvoted.similarity = 0.29;
     EXPECT_EQ(assigned({outvoted}), UNKNOWN_INSTANCE);
+    EXPECT_EQ(assigned({outvoted}, "tau_iou = 0"), UNKNOWN_INSTANCE) << "no voxel in common";
 }

@@ -78,7 +78,7 @@ TEST(MappingTrace, TellsOfEveryOpinionAndChangesNothing)
         bool isCandidate = false;
         for (const json& candidate : line.at("candidates")) {
             isCandidate = isCandidate || candidate.at("instance") == assigned;
-            for (const char* ratio : {"iou", "iov", "iom", "similarity"}) {
+            for (const char* ratio : {"iou", "iov", "iom", "touched", "similarity"}) {
                 EXPECT_GE(candidate.at(ratio), 0) << ratio;
                 EXPECT_LE(candidate.at(ratio), 1 + 1e-9) << ratio;
             }

@@ -78,6 +78,7 @@ void MappingTrace::opinions(uint32_t frame, const std::vector<OpinionOverlaps>& 
                                   {"iou", o.iou()},
                                   {"iov", o.iov()},
                                   {"iom", o.iom()},
+                                  {"touched", o.touched()},
                                   {"similarity", o.similarity}});
         writeLine(m_out, {{"frame", frame},
                           {"opinion", i},

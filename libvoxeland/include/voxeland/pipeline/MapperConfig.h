@@ -31,7 +31,9 @@ struct IntegrationOptions
 {
     double unknown_weight = 0.2;  //!< evidence for *unknown* of a pixel that no opinion claims
     /** No voxel of an instance counts as *unknown* in a frame that shows more than this
-     * share of the instance, in [0,1], but has no opinion about it. */
+     * share of the instance, in [0,1], but has no opinion about it; 1 switches that off. Where
+     * little is in view, bled voxels must be able to fade. What one false detection made stays,
+     * too, until RefinementOptions::min_evidence hides it. */
     double missed_share = 0.5;
     double sharpness =
         2;  //!< exponent of category probabilities before they count as evidence, >= 1

@@ -22,8 +22,8 @@ enum class MergeDecision
  *   - First: `thresholds`, the sections [association] and [refinement] in effect.
  *   - An opinion: `frame` (from 0, of those mapped), `opinion` (its number in the frame),
  * `category` (the most probable), `confidence`, `voxels`, `candidates` (each with `instance`,
- * `iou`, `iov`, `iom` and `similarity`, see Overlap), `assigned` (to which instance) and `new`
- * (whether that started with this frame).
+ * `iou`, `iov`, `iom`, `touched` and `similarity`, see Overlap), `assigned` (to which instance) and
+ * `new` (whether that started with this frame).
  *   - A division: `frame`, `divided` (which instance), `least` (size of a part that becomes an
  *     instance [voxels]) and `parts`, largest first, each with `voxels` and `instance` (null: too
  *     small). Instances that are in one part are left out.

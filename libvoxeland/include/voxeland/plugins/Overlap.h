@@ -51,7 +51,8 @@ struct Overlap
     }
 };
 
-/** An opinion with all map instances that have evidence in its voxels, ordered by id. */
+/** An opinion with all map instances that have evidence in its voxels, ordered by id; those of
+ * which no voxel is part have an intersection of 0. */
 struct OpinionOverlaps
 {
     const Opinion* opinion = nullptr;
