@@ -158,6 +158,35 @@ TEST(VoxelizedFrame, TheMeanPointOfAVoxelIsExact)
     EXPECT_LT(error.norm(), 2.0 / 65536) << "a fraction of a voxel";
 }
 
+TEST(VoxelizedFrame, CentroidsLieInTheirOwnVoxels)
+{
+    // The optical axis runs along voxel boundaries and is then turned by as little as 1e-12 rad:
+    // pixels on it fall right below or above a boundary, alone in their voxels.
+    constexpr double EXACT_RESOLUTION = 0.0625;
+    std::mt19937 random(5);
+    const auto between = [&](double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(random);
+    };
+    const auto tiny = [&] { return (random() % 2 == 0 ? 1 : -1) * std::pow(10, between(-12, -2)); };
+    const auto corner = [&] {
+        return (static_cast<int>(random() % 4000) - 2000) * EXACT_RESOLUTION;
+    };
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto scan = makeScan(
+            [&](int column, int row) { return column == 40 || row == 30 ? between(0.5, 6) : 0; });
+        scan->cameraParams.setIntrinsicParamsFromValues(test::FOCAL, test::FOCAL, 40, 30);
+        const CPose3D along(corner(), corner(), corner(), tiny(), tiny(), tiny());
+        const CPose3D any(between(-99, 99), between(-99, 99), between(-9, 9), between(-3, 3),
+                          between(-1.5, 1.5), between(-3, 3));
+        for (const CPose3D& pose : {along, any}) {
+            const VoxelizedFrame frame(frameOf(scan, pose), EXACT_RESOLUTION, {});
+            ASSERT_FALSE(frame.hits().empty());
+            for (const HitVoxel& h : frame.hits())
+                ASSERT_EQ(voxelOf(h.centroid, 1 / EXACT_RESOLUTION), h.coord) << pose;
+        }
+    }
+}
+
 TEST(VoxelizedFrame, AgreesWithBruteForceAtAnyPose)
 {
     const auto scan = makeScan(bumpy);

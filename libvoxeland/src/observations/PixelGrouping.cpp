@@ -52,7 +52,7 @@ struct PixelRow
 };
 
 /** The runs of pixels of one voxel in a row: each one's first pixel, and the sums of all fractions
- *  before it. One more entry is for the end of the row. */
+ *  before it, which may wrap: only differences count. One more entry is for the end of the row. */
 struct RowRuns
 {
     size_t count = 0;
@@ -93,8 +93,10 @@ VOXELAND_WITH_AVX2 void split(size_t n, const float* __restrict in, int32_t* __r
     for (size_t c = 0; c < n; ++c) {
         const auto truncated = static_cast<int32_t>(in[c]);
         whole[c] = truncated - static_cast<int32_t>(in[c] < static_cast<float>(truncated));
+        // Right below a boundary the rest may round to one.
         const float rest = in[c] - static_cast<float>(whole[c]);
-        fraction[c] = static_cast<uint32_t>(static_cast<int32_t>(rest * FRACTIONS));
+        fraction[c] = static_cast<uint32_t>(
+            std::min(static_cast<int32_t>(rest * FRACTIONS), static_cast<int32_t>(FRACTIONS) - 1));
     }
 }
 
