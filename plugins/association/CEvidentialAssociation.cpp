@@ -83,7 +83,8 @@ void CEvidentialAssociation::declareOptions(OptionList& options)
     options.add("exclusive", m_exclusive,
                 "Detections of one frame that lie apart are never about the same instance");
     options.add("unclaimed", m_unclaimed,
-                "An instance that no detection of a frame matches takes one that overlaps it less");
+                "A detection that matches nothing may go, for less overlap, to an instance that no "
+                "other detection of the frame is about");
     options.add("use_similarity", m_useSimilarity,
                 "Let semantic similarity relax the thresholds; otherwise it counts as 0.5");
 }

@@ -17,3 +17,14 @@ TEST(SmallInstances, becomeUnknown)
     EXPECT_EQ(map.winner(*map.evidence({1, 0, 0})), UNKNOWN_INSTANCE);
     EXPECT_EQ(map.dismissed().size(), 1U);
 }
+
+TEST(SmallInstances, whatTheyHideIsNotShownInstead)
+{
+    SemanticVoxelMap map = test::tinyMap();
+    const instance_id_t hidden = map.createInstance().id;
+    for (const auto& [id, instance] : map.instances())
+        if (id != hidden) map.addEvidence({1, 0, 0}, id, 5);
+    map.addEvidence({1, 0, 0}, hidden, 1);
+    dismissSmallInstances(map, 100);
+    EXPECT_TRUE(summarizeInstances(map).empty());
+}

@@ -47,7 +47,7 @@ std::string asText(const MapOverview& o)
     text += format("instances      %zu, from %s", o.instances,
                    counted(o.counts.opinions, "opinion").c_str());
     if (o.dismissed > 0)
-        text += format("; %zu more with too little evidence to be shown", o.dismissed);
+        text += format("; %zu more count as unknown", o.dismissed);
     text += "\n";
     for (const auto& [name, count] : o.categories)
         text += format("               %u %s\n", count, name.c_str());

@@ -50,8 +50,8 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
     list.add("unknown_weight", integration.unknown_weight, {0, 1},
              "Evidence for 'unknown' of a depth pixel that no detection claims");
     list.add("missed_share", integration.missed_share, {0, 1},
-             "A missed detection is no evidence for 'unknown': voxels of an instance that no "
-             "detection is about stay as they are in frames that show more than this share of it");
+             "Where more than this share of an instance is in view but no detection is about it, "
+             "the detector missed it: its voxels get no evidence for 'unknown'; 1: never");
     list.add("sharpness", integration.sharpness, {1, 100},
              "Exponent of category probabilities before they count as evidence; large: the most "
              "probable category alone, as in the paper");
