@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <list>
 #include <new>
 #include <regex>
 #include <set>
@@ -65,6 +66,22 @@ std::vector<std::string> wordsOf(int argc, char** argv, const std::list<TCLAP::A
     return words;
 }
 
+bool isCount(const TCLAP::Arg* option)
+{
+    return dynamic_cast<const TCLAP::ValueArg<uint32_t>*>(option) != nullptr ||
+           dynamic_cast<const TCLAP::ValueArg<uint64_t>*>(option) != nullptr;
+}
+
+/** TCLAP reads -1 as a large number where a number without a sign is wanted. */
+void refuseNegativeCounts(const std::vector<std::string>& words,
+                          const std::list<TCLAP::Arg*>& options)
+{
+    for (size_t i = 1; i < words.size(); ++i)
+        for (const TCLAP::Arg* option : options)
+            if (isCount(option) && "--" + option->getName() == words[i - 1] && words[i][0] == '-')
+                throw ConfigurationError(words[i - 1] + " takes a number from 0, not " + words[i]);
+}
+
 int fail(const char* program, const std::exception& e, int exitCode)
 {
     std::cerr << program << ": " << sentence(e) << "\n";
@@ -89,6 +106,7 @@ bool CommandLine::parse(int argc, char** argv)
 {
     std::vector<const char*> words;
     const std::vector<std::string> texts = wordsOf(argc, argv, m_parser.getArgList());
+    refuseNegativeCounts(texts, m_parser.getArgList());
     for (const std::string& text : texts) words.push_back(text.c_str());
     if (!m_parser.parse(static_cast<int>(words.size()), words.data())) return false;
     static_cast<void>(verbosity());  // complain about it now

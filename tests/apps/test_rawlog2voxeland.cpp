@@ -274,6 +274,8 @@ TEST_F(Rawlog2voxeland, WrongConfigurationsEndWith1)
         runProgram("rawlog2voxeland", {"--check-config", "--set", "voxeland.pose_source=gps"}), 1,
         {"gps", "robot_pose"});
     expectFailure(run({"--every", "0"}), 1, {"--every"});
+    expectFailure(run({"--every", "-1"}), 1, {"--every", "-1"});
+    expectFailure(run({"--to=-1"}), 1, {"--to", "-1"});
     expectFailure(run({"--no-such-option"}), 1, {"no-such-option", "--help"});
     expectFailure(run({"--verbosity", "LOUD"}), 1, {"LOUD"});
     expectFailure(runProgram("rawlog2voxeland", {"-i", in()}), 1, {"-o"});
