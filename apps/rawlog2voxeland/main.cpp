@@ -126,7 +126,7 @@ TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
     const MappingCounts before = map.counts();
     auto timesBefore = timesOfViews(map.map());
     RawlogFrameSource source(
-        arguments.input.getValue(), map.mapper().config().input,
+        arguments.input.getValue(), map.withCamera(map.mapper().config().input),
         {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()});
     apps::Progress progress("frames", 0, !arguments.quiet());
     TimingLog timing;

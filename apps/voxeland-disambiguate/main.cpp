@@ -201,7 +201,8 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
 
 int ask(Arguments& arguments, CVoxelandMap& map)
 {
-    const MapperConfig config(configuration(arguments, map));
+    MapperConfig config(configuration(arguments, map));
+    config.input = map.withCamera(config.input);
     const bool dry = arguments.dryRun.isSet();
     if (!dry) config.disambiguator->start();
     if (!dry && !config.disambiguation.ask_again)

@@ -13,6 +13,7 @@
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -126,10 +127,60 @@ TEST(CVoxelandMap, TheFirstCameraMetIsTheOnlyOneAlsoOnceWrittenAndRead)
     }
     EXPECT_EQ(bytesOf(*read), bytesOf(map));
     EXPECT_EQ(bytesOf(copy), bytesOf(map));
-    auto named = mapWith("voxeland.depth_sensor_label=camera");
-    insert(named, frames[0]);
-    insert(named, frames[2]);
-    EXPECT_EQ(bytesOf(map), bytesOf(named)) << "as if the INI had named it";
+    EXPECT_EQ(map.withCamera({}).depth_sensor_label, frames[0].scan->sensorLabel);
+    InputOptions other;
+    other.depth_sensor_label = "other";
+    EXPECT_EQ(map.withCamera(other).depth_sensor_label, "other");
+}
+
+TEST(CVoxelandMap, TheFirstCameraMayHaveAnyLabelOrNone)
+{
+    const auto frames = test::smallFrames(3);
+    frames[1].scan->sensorLabel = "other";
+    for (const char* label : {"", "front // left", "front\n[map]"}) {
+        frames[0].scan->sensorLabel = frames[2].scan->sensorLabel = label;
+        CVoxelandMap map;
+        insert(map, frames[0]);
+        const auto read = readAgain(map);
+        for (auto* m : {&map, read.get()}) {
+            EXPECT_FALSE(m->insertObservation(*frames[1].scan)) << label;
+            EXPECT_TRUE(m->insertObservation(*frames[2].scan)) << label;
+        }
+    }
+}
+
+TEST(CVoxelandMap, ACameraWithoutDepthImagesIsNotTheOneToMap)
+{
+    CVoxelandMap map;
+    const auto frames = test::smallFrames(2);
+    frames[0].scan->sensorLabel = "points only";
+    frames[0].scan->hasRangeImage = false;
+    EXPECT_FALSE(map.insertObservation(*frames[0].scan));
+    EXPECT_TRUE(map.insertObservation(*frames[1].scan));
+}
+
+TEST(CVoxelandMap, AClearedMapTakesAnyCamera)
+{
+    CVoxelandMap map;
+    const auto frames = test::smallFrames(2);
+    insert(map, frames[0]);
+    map.clear();
+    frames[1].scan->sensorLabel = "after the clearing";
+    EXPECT_TRUE(map.insertObservation(*frames[1].scan));
+}
+
+TEST(CVoxelandMap, ScansOfAnotherCameraAreToldOnce)
+{
+    const auto frames = test::smallFrames(3);
+    frames[1].scan->sensorLabel = frames[2].scan->sensorLabel = "told once";
+    CVoxelandMap map;
+    insert(map, frames[0]);
+    testing::internal::CaptureStderr();
+    map.insertObservation(*frames[1].scan);
+    readAgain(map)->insertObservation(*frames[2].scan);
+    const std::string told = testing::internal::GetCapturedStderr();
+    EXPECT_NE(told.find("'told once'"), std::string::npos) << told;
+    EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
 }
 
 TEST(CVoxelandMap, ClearEmptiesTheMapAndKeepsItsConfiguration)
@@ -238,6 +289,18 @@ TEST(CVoxelandMap, MapsOfAnotherFormatAreCalledThat)
     } catch (const InputError& e) {
         EXPECT_NE(std::string(e.what()).find("another version"), std::string::npos) << e.what();
     }
+}
+
+TEST(CVoxelandMap, MapsOfTheFormatBeforeTheCameraAreRead)
+{
+    auto map = mapWith("voxeland.depth_sensor_label=camera");
+    insert(map, test::smallFrames(1)[0]);
+    std::string bytes = bytesOf(map);
+    bytes[1 + std::string("voxeland::CVoxelandMap").size()] = 2;
+    bytes.erase(bytes.size() - 6, 5);  // whether the camera is known and its label's length
+    const test::TemporaryFolder folder;
+    test::writeFile(folder.file("old.voxeland"), bytes);
+    EXPECT_EQ(bytesOf(*loadMap(folder.file("old.voxeland"))), bytesOf(map));
 }
 
 TEST(CVoxelandMap, AnotherResolutionIsRefusedOnceThereAreVoxels)

@@ -14,6 +14,9 @@
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <iostream>
+#include <mutex>
+#include <set>
 #include <sstream>
 
 using mrpt::obs::CObservation;
@@ -23,6 +26,21 @@ using mrpt::poses::CPose3D;
 namespace voxeland
 {
 IMPLEMENTS_SERIALIZABLE(CVoxelandMap, mrpt::maps::CMetricMap, voxeland)
+
+namespace
+{
+/** Once for each label, not for each map: particle filters copy theirs all the time. */
+void warnOfAnotherCamera(const std::string& refused, const std::string& mapped)
+{
+    static std::mutex mutex;
+    static std::set<std::string> told;
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (told.insert(refused).second)
+        std::cerr << "voxeland map: warning: scans of '" << refused
+                  << "' are left out, as those of '" << mapped
+                  << "' came first: name the camera to map as depth_sensor_label\n";
+}
+}  // namespace
 
 CVoxelandMap::CVoxelandMap()
     : m_assembler(InputOptions().prediction_wait, PoseTrack(InputOptions().max_pose_gap))
@@ -42,7 +60,6 @@ void CVoxelandMap::setConfig(const MapperConfig& config)
         throw ConfigurationError(std::string("[map] ") + e.what());
     }
     m_configText = config.reproducibleText();
-    m_camera = config.input.depth_sensor_label;
     m_mapper.emplace(config);
     m_assembler.setLimits(config.input.prediction_wait, config.input.max_pose_gap);
 }
@@ -91,6 +108,7 @@ void CVoxelandMap::internal_clear()
 {
     m_map.edit().clear();
     m_counts = {};
+    m_camera.reset();
     startAssembler();
 }
 
@@ -100,28 +118,31 @@ void CVoxelandMap::startAssembler()
     m_assembler = FrameAssembler(input.prediction_wait, PoseTrack(input.max_pose_gap));
 }
 
-void CVoxelandMap::keepTo(const std::string& camera)
+InputOptions CVoxelandMap::withCamera(InputOptions options) const
 {
-    m_camera = camera;
-    // As MapperConfig would write it, without making its plugins anew.
-    static const std::string KEY = "\ndepth_sensor_label = ";
-    m_configText.insert(m_configText.find(KEY) + KEY.size(), camera);
+    if (options.depth_sensor_label.empty()) options.depth_sensor_label = m_camera.value_or("");
+    return options;
+}
+
+bool CVoxelandMap::isOfTheCamera(const CObservation3DRangeScan& scan)
+{
+    const std::string& named = mapper().config().input.depth_sensor_label;
+    if (!named.empty()) return scan.sensorLabel == named;
+    if (!m_camera && scan.hasRangeImage) m_camera = scan.sensorLabel;
+    if (m_camera && *m_camera != scan.sensorLabel) warnOfAnotherCamera(scan.sensorLabel, *m_camera);
+    return m_camera == scan.sensorLabel;
 }
 
 bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
                                               const std::optional<const CPose3D>& robotPose)
 {
-    const InputOptions& input = mapper().config().input;
-    const auto wanted = [&](const std::string& label) {
-        return label.empty() || label == observation.sensorLabel;
-    };
     if (const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation)) {
-        if (!wanted(m_camera)) return false;
-        if (m_camera.empty()) keepTo(scan->sensorLabel);
+        if (!isOfTheCamera(*scan)) return false;
         m_assembler.addPose(scan->timestamp, robotPose.value_or(CPose3D()).asTPose());
         m_assembler.addScan(std::make_shared<CObservation3DRangeScan>(*scan));
     } else if (const auto* instances = dynamic_cast<const CObservationInstances*>(&observation)) {
-        if (!wanted(input.instances_sensor_label)) return false;
+        const std::string& wanted = mapper().config().input.instances_sensor_label;
+        if (!wanted.empty() && wanted != instances->sensorLabel) return false;
         m_assembler.addInstances(std::make_shared<CObservationInstances>(*instances));
     } else {
         return false;

@@ -19,9 +19,10 @@ void checkFormat(const std::string& bytes, const std::string& file)
     const size_t at = 1 + name.size();
     if (bytes.size() <= at || bytes.compare(1, name.size(), name) != 0) return;
     const auto format = static_cast<uint8_t>(bytes[at]);
-    if (format == CVoxelandMap::FORMAT) return;
+    if (format >= CVoxelandMap::OLDEST_FORMAT && format <= CVoxelandMap::FORMAT) return;
     throw InputError("'" + file + "' is a map of another version of Voxeland (format " +
                      std::to_string(format) + ", this one reads " +
+                     std::to_string(CVoxelandMap::OLDEST_FORMAT) + " to " +
                      std::to_string(CVoxelandMap::FORMAT) + "): map its rawlog again");
 }
 

@@ -104,6 +104,17 @@ MapFactoryResult CVoxelandMap::internal_CreateFromMapDefinition(
     return mapFactoryResult(std::move(map));
 }
 
+namespace
+{
+std::optional<std::string> readCamera(mrpt::serialization::CArchive& in)
+{
+    bool isKnown = false;
+    std::string label;
+    in >> isKnown >> label;
+    return isKnown ? std::optional(label) : std::nullopt;
+}
+}  // namespace
+
 uint8_t CVoxelandMap::serializeGetVersion() const
 {
     return FORMAT;
@@ -117,12 +128,13 @@ void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
     m_map->writeTo(out);
     m_assembler.writeTo(out);
     likelihoodOptions.writeTo(out);
-    out << genericMapParams;
+    out << genericMapParams << m_camera.has_value() << m_camera.value_or("");
 }
 
 void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
 {
-    if (version != FORMAT) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
+    if (version < OLDEST_FORMAT || version > FORMAT)
+        MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
     CVoxelandMap read;
     in >> read.m_configText >> read.m_counts.frames >> read.m_counts.framesWithoutPredictions >>
         read.m_counts.framesWithoutPose >> read.m_counts.predictionsWithoutFrame >>
@@ -131,6 +143,7 @@ void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t vers
     read.m_assembler.readFrom(in);
     read.likelihoodOptions.readFrom(in);
     in >> read.genericMapParams;
+    if (version > 2) read.m_camera = readCamera(in);
     *this = std::move(read);
 }
 }  // namespace voxeland

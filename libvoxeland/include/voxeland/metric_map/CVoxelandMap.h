@@ -26,8 +26,8 @@ namespace voxeland
  * Likelihoods are as the loaded map's options say, but for those keys. Unknown keys and sections
  * are a ConfigurationError.
  *
- *  Scans are those of one camera, `depth_sensor_label` or else the first one met, whose label then
- * becomes part of the configuration.
+ *  Scans are those of one camera, `depth_sensor_label` or else the first one met with depth images,
+ * which then stays with the map until it is cleared; what is left out is told once on stderr.
  *
  *  Depth scans and predictions come in separate insertObservation() calls, in either order; a scan
  * waits for its predictions while a few newer ones come (`prediction_wait`), see flush().
@@ -39,8 +39,10 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     DEFINE_SERIALIZABLE(CVoxelandMap, voxeland)
 
  public:
-    /** Version of what is written to files; other versions are not read. */
-    static constexpr uint8_t FORMAT = 2;
+    /** Version of what is written to files. */
+    static constexpr uint8_t FORMAT = 3;
+    /** The oldest version that is still read. */
+    static constexpr uint8_t OLDEST_FORMAT = 2;
 
     /** An empty map with default configuration; plugins are loaded when they are first needed. */
     CVoxelandMap();
@@ -58,6 +60,10 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     [[nodiscard]] const MappingCounts& counts() const { return m_counts; }
     /** INI text that reproduces the map's configuration; empty: all defaults. */
     [[nodiscard]] const std::string& configText() const { return m_configText; }
+
+    /** Options for reading a rawlog into this map: of the camera that its scans are of, unless the
+     *  options name one. */
+    [[nodiscard]] InputOptions withCamera(InputOptions options) const;
 
     /** Goes on with another configuration. \throws ConfigurationError if the map was built with
      * another resolution or occupancy model */
@@ -147,13 +153,14 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** What observedPoints() knows. */
     bool internal_canComputeObservationLikelihood(
         const mrpt::obs::CObservation& observation) const override;
-    /** Takes scans of this sensor label alone from now on, also once written and read. */
-    void keepTo(const std::string& camera);
+    /** Whether to map a scan; the first one with a depth image decides on the camera if the
+     * configuration names none. */
+    bool isOfTheCamera(const mrpt::obs::CObservation3DRangeScan& scan);
     void mapCompleteFrames();
     void startAssembler();
 
     std::string m_configText;
-    std::string m_camera;  //!< sensor label of the scans; empty: not known yet
+    std::optional<std::string> m_camera;  //!< sensor label (maybe empty) of the first scan
     SharedVoxelMap m_map;
     MappingCounts m_counts;
     FrameAssembler m_assembler;
