@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -52,13 +53,22 @@ AtomicFile::AtomicFile(const std::string& target) : m_target(target)
 
 AtomicFile::~AtomicFile()
 {
-    if (!m_committed && m_part != m_target) std::remove(m_part.c_str());
+    if (m_begun && !m_committed && !isDirect()) unlink(m_part.c_str());
 }
 
 void AtomicFile::commit()
 {
-    if (m_part != m_target && std::rename(m_part.c_str(), m_target.c_str()) != 0) fail(errno);
+    if (!isDirect() && std::rename(m_part.c_str(), m_target.c_str()) != 0) fail(errno);
     m_committed = true;
+}
+
+void AtomicFile::checkAccess() const
+{
+    const std::string folder = fs::path(m_part).parent_path().string();
+    const bool possible = isDirect()
+                              ? access(m_target.c_str(), W_OK) == 0
+                              : access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0;
+    if (!possible) fail(errno);
 }
 
 void AtomicFile::fail(int error) const
@@ -70,10 +80,7 @@ void AtomicFile::fail(int error) const
 
 void checkWritable(const std::string& file)
 {
-    const AtomicFile target(file);
-    if (target.part() == file) return;  // opening a pipe would wait for its reader
-    errno = 0;
-    if (!std::ofstream(target.part(), std::ios::binary)) target.fail(errno);
+    AtomicFile(file).checkAccess();
 }
 
 void writeAtomically(const std::string& file, const std::function<void(std::ostream&)>& write)

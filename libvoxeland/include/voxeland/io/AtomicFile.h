@@ -15,13 +15,19 @@ class AtomicFile
     /** Nothing is created yet.
      *  \throws OutputError if the target's folder does not exist or the target is a folder */
     explicit AtomicFile(const std::string& target);
-    /** Removes what was written unless commit() was called. */
+    /** Removes the part that was asked for unless commit() was called. */
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /** Where to write. */
-    [[nodiscard]] const std::string& part() const { return m_part; }
+    /** Where to write; asked for once writing begins, as the destructor removes it. */
+    [[nodiscard]] const std::string& part()
+    {
+        m_begun = true;
+        return m_part;
+    }
+    /** \throws OutputError if this user may not write there; touches no file */
+    void checkAccess() const;
     /** Puts the finished part in the place of the target. \throws OutputError if that fails */
     void commit();
     /** An OutputError that names the target, the reason (the system's errno, if any) and what to
@@ -29,11 +35,14 @@ class AtomicFile
     [[noreturn]] void fail(int error) const;
 
  private:
+    [[nodiscard]] bool isDirect() const { return m_part == m_target; }
+
     std::string m_target, m_part;
-    bool m_committed = false;
+    bool m_begun = false, m_committed = false;
 };
 
-/** Makes sure before long work that a file can be written after it. Leaves nothing behind.
+/** Makes sure before long work that a file may be written after it: that its folder, or the device
+ * or pipe, lets this user write. Touches no file. A full disk shows only when it is written.
  *  \throws OutputError if it cannot, or no name is given */
 void checkWritable(const std::string& file);
 
