@@ -2,6 +2,7 @@
 #include "common/CommandLine.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/io/AtomicFile.h"
 
 #include <mrpt/core/exceptions.h>
 
@@ -49,14 +50,17 @@ class HelpOutput : public TCLAP::StdOutput
 
 HelpOutput helpOutput;
 
-/** The words of a command line, with `--name=value` as the `--name value` that TCLAP takes. */
+/** The words of a command line, with `--name=value` as the `--name value` that TCLAP takes;
+ * what follows `--` is left as it is. */
 std::vector<std::string> wordsOf(int argc, char** argv, const std::list<TCLAP::Arg*>& options)
 {
     std::vector<std::string> words;
+    bool verbatim = false;
     for (int i = 0; i < argc; ++i) {
         const std::string word = argv[i], name = word.substr(0, word.find('='));
+        verbatim = verbatim || word == "--";
         const bool hasValue =
-            name != word &&
+            !verbatim && name != word &&
             std::any_of(options.begin(), options.end(), [&](const TCLAP::Arg* option) {
                 return option->isValueRequired() && "--" + option->getName() == name;
             });
@@ -161,6 +165,8 @@ void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std
             throw ConfigurationError(
                 "output '" + output +
                 "' would replace an input or another output: name another file");
+    for (const std::string& output : outputs)
+        if (!output.empty()) checkWritable(output);
 }
 
 int runProgram(const char* program, const std::function<int()>& body)

@@ -41,8 +41,9 @@ class CommandLine
 /** What an exception says, in one line: MRPT wraps its messages in a title and the call stack. */
 std::string sentence(const std::exception& e);
 
-/** Makes sure that no output would replace an input or another output. Empty names and files that
- * do not exist are passed over. \throws ConfigurationError naming the file */
+/** Makes sure before the work that no output would replace an input or another output, and that all
+ * outputs may be written. Empty names are passed over.
+ *  \throws ConfigurationError, or OutputError as checkWritable(), naming the file */
 void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 /** Runs a program's body; an exception becomes one sentence on stderr and its exit code (see

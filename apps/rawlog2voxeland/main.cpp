@@ -162,14 +162,6 @@ TimingLog mapAndSave(Arguments& arguments, CVoxelandMap& map)
     return timing;
 }
 
-/** Complains before the work about outputs that cannot be written after it. */
-void checkOutputsWritable(Arguments& arguments)
-{
-    if (arguments.exportDir.isSet()) checkExportFolder(arguments.exportDir.getValue());
-    for (auto* output : {&arguments.output, &arguments.timing, &arguments.trace})
-        if (output->isSet()) checkWritable(output->getValue());
-}
-
 int makeMap(Arguments& arguments)
 {
     std::shared_ptr<CVoxelandMap> map = std::make_shared<CVoxelandMap>();
@@ -189,12 +181,12 @@ int makeMap(Arguments& arguments)
     if (arguments.every.getValue() == 0 || arguments.from.getValue() > arguments.to.getValue())
         throw ConfigurationError("--every must be at least 1 and --from not beyond --to");
     const std::string& input = arguments.input.getValue();
+    map->setConfig(config);
+    if (arguments.exportDir.isSet()) checkExportFolder(arguments.exportDir.getValue());
     apps::checkOutputs(
         {arguments.output.getValue(), arguments.timing.getValue(), arguments.trace.getValue()},
         {input, RawlogFiles(input).sidecar.string(), arguments.poses.getValue(),
          arguments.config.getValue()});
-    map->setConfig(config);
-    checkOutputsWritable(arguments);
 
     const TimingLog timing = mapAndSave(arguments, *map);
     if (map->counts().framesWithoutPredictions == map->counts().frames)

@@ -98,8 +98,6 @@ void checkArguments(Arguments& arguments)
         {arguments.output.getValue(), arguments.report.getValue()},
         {arguments.map.getValue(), input, asks ? RawlogFiles(input).sidecar.string() : "",
          arguments.config.getValue()});
-    for (auto* output : {&arguments.output, &arguments.report})
-        if (output->isSet()) checkWritable(output->getValue());  // complain before the work
 }
 
 int undo(Arguments& arguments, CVoxelandMap& map)

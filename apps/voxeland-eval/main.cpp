@@ -110,6 +110,13 @@ void checkArguments(Arguments& arguments)
                                  " --gt: give one ground truth for each map");
     if (arguments.radius.getValue() < 0)
         throw ConfigurationError("--match-radius must not be negative");
+    std::vector<std::string> inputs = arguments.maps.getValue();
+    inputs.push_back(arguments.labels.getValue());
+    inputs.insert(inputs.end(), arguments.truths.getValue().begin(),
+                  arguments.truths.getValue().end());
+    apps::checkOutputs(
+        {arguments.report.getValue(), arguments.curve.getValue(), arguments.curvePng.getValue()},
+        inputs);
 }
 
 EvaluationProtocol protocolOf(Arguments& arguments)

@@ -102,7 +102,6 @@ int run(int argc, char** argv)
     const std::string& output = arguments.output.getValue();
     apps::checkOutputs({output}, {arguments.map.getValue(), arguments.timing.getValue(),
                                   arguments.labels.getValue()});
-    checkWritable(output);  // complain before the work
     const ThreeLibrary three = ThreeLibrary::fromFolder(arguments.three.getValue());
     ReportOptions options;
     if (arguments.up.isSet()) options.up = apps::parseDirection("up", arguments.up.getValue());

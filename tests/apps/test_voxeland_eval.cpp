@@ -102,4 +102,6 @@ TEST_F(VoxelandEval, unreadableInputAndUnwritableOutput)
     const auto result =
         evaluate({"-m", map(), "--gt", truth(), "--report", file("no/such/folder/r.json")});
     EXPECT_EQ(result.exitCode, 5) << result.errors;
+    EXPECT_EQ(result.errors.find("evaluating"), std::string::npos) << "told before the work";
+    EXPECT_EQ(evaluate({"-m", map(), "--gt", truth(), "--report", map()}).exitCode, 1);
 }

@@ -102,6 +102,13 @@ TEST_F(VoxelandInfo, longOptionsTakeTheirValueAfterAnEqualsSignToo)
         EXPECT_EQ(ask({wrong}).exitCode, 1) << wrong;
 }
 
+TEST_F(VoxelandInfo, whatFollowsTwoDashesIsLeftAsItIs)
+{
+    const auto result = test::runProgram("voxeland-info", {"--", "--find=a"});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_TRUE(has(result.errors, "--find=a")) << result.errors;
+}
+
 TEST_F(VoxelandInfo, reobserve)
 {
     const json targets = askJson({"--reobserve", "--camera-height", "0.75", "--most", "1"});
