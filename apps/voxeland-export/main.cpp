@@ -11,6 +11,7 @@
 #include "voxeland/io/MapScene.h"
 #include "voxeland/io/MapViews.h"
 #include "voxeland/io/OctoMapFile.h"
+#include "voxeland/io/OutputFolder.h"
 #include "voxeland/io/PointsFile.h"
 #include "voxeland/io/SmallInstances.h"
 #include "voxeland/io/UpDirection.h"
@@ -43,6 +44,11 @@ At least one output must be named. Existing files are replaced once the new ones
 Coordinates are metres in the map's frame; entropies are in nat. Grids, and nothing else, are in that
 frame turned about its origin until up is z, and heights are measured along up from the floor, the
 lowest surface that was seen: both are told where they matter.)";
+
+/** What files of known formats end in. */
+constexpr const char* ENDINGS[] = {
+    ".ply", ".json", ".csv",       ".glb",     ".gltf", ".obj", ".3Dscene", ".bt",
+    ".ot",  ".txt",  ".metricmap", ".gridmap", ".yaml", ".pgm", ".png",     ".voxeland"};
 
 /** The program's command line. */
 struct Arguments : apps::CommandLine
@@ -217,17 +223,20 @@ void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const LevelFram
         written(file);
 }
 
-/** Complains about a file named like one of another format; names without an ending will do. Where
- *  the ending chooses among formats, the exporter looks at it itself. */
+/** Complains about a file named like one of another format; any other name will do. Where the
+ * ending chooses among formats, the exporter looks at it itself. */
 void checkEndings(Arguments& arguments)
 {
+    using mrpt::system::strCmpI;
     for (const auto& [output, ending] :
          {std::pair(&arguments.ply, ".ply"), std::pair(&arguments.json, ".json"),
           std::pair(&arguments.csv, ".csv"), std::pair(&arguments.glb, ".glb"),
           std::pair(&arguments.scene, ".3Dscene"), std::pair(&arguments.gridmap, ".gridmap")})
     {
         const std::string own = std::filesystem::path(output->getValue()).extension().string();
-        if (!own.empty() && !mrpt::system::strCmpI(own, ending))
+        const bool isKnown = std::any_of(std::begin(ENDINGS), std::end(ENDINGS),
+                                         [&](const char* known) { return strCmpI(own, known); });
+        if (isKnown && !strCmpI(own, ending))
             throw ConfigurationError("--" + output->getName() + " '" + output->getValue() +
                                      "' must end in " + ending + ", which is what it writes");
     }
@@ -247,7 +256,6 @@ void check(Arguments& arguments)
         !arguments.pngDir.isSet())
         throw ConfigurationError("nothing to write: name at least one output (see --help)");
     if (arguments.rosMap.isSet()) outputs.push_back(rosImageOf(arguments.rosMap.getValue()));
-    apps::checkOutputs(outputs, {arguments.map.getValue()});
     if ((arguments.category.isSet() || arguments.except.isSet()) && !arguments.points.isSet())
         throw ConfigurationError("--category and --except go with --points");
     if (arguments.height.isSet()) {
@@ -255,15 +263,18 @@ void check(Arguments& arguments)
         if (!arguments.points.isSet() && !arguments.gridmap.isSet() && !arguments.rosMap.isSet())
             throw ConfigurationError("--height goes with --points, --gridmap and --ros-map");
     }
+    for (auto* folder : {&arguments.perInstance, &arguments.pngDir})
+        if (folder->isSet()) makeOutputFolder(folder->getValue());
+    apps::checkOutputs(outputs, {arguments.map.getValue()});
 }
 
 int run(int argc, char** argv)
 {
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
-    check(arguments);
     std::optional<mrpt::math::TVector3D> up;
     if (arguments.up.isSet()) up = apps::parseDirection("up", arguments.up.getValue());
+    check(arguments);
 
     SemanticVoxelMap map = loadMap(arguments.map.getValue())->map();
     if (arguments.minVoxels.isSet()) dismissSmallInstances(map, arguments.minVoxels.getValue());

@@ -107,6 +107,9 @@ TEST_F(VoxelandExport, aNameOfAnotherFormatIsRefused)
         EXPECT_FALSE(fs::exists(path("x.obj"))) << option;
     }
     EXPECT_EQ(exporting({"--ply", path("X.PLY"), "--csv", path("table")}).exitCode, 0);
+    EXPECT_EQ(exporting({"--per-instance", path("each"), "--json", path("each/a.json")}).exitCode,
+              0);
+    EXPECT_EQ(exporting({"--json", path("tmp.Zq3xAb"), "--csv", path("map_0.05")}).exitCode, 0);
 }
 
 TEST_F(VoxelandExport, anUnreadableMapIsExitCode3)
