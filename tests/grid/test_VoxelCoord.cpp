@@ -50,6 +50,49 @@ TEST(VoxelCoord, PackingIsInjectiveUpToTheLimits)
     EXPECT_EQ(keys.size(), values.size() * values.size() * values.size());
 }
 
+TEST(VoxelCoord, UnpackingGivesTheCoordinatesBack)
+{
+    std::mt19937 random(2);
+    std::uniform_int_distribution<int32_t> any(-MAX_VOXEL_COORD, MAX_VOXEL_COORD);
+    for (int i = 0; i < 10000; ++i) {
+        const VoxelCoord v = {any(random), any(random), any(random)};
+        ASSERT_EQ(unpacked(packed(v)), v);
+    }
+    for (const int32_t v : {-MAX_VOXEL_COORD - 1, -MAX_VOXEL_COORD, -1, 0, MAX_VOXEL_COORD})
+        EXPECT_EQ(unpacked(packed({v, 0, -1})), (VoxelCoord{v, 0, -1}));
+}
+
+namespace
+{
+/** Compares with one bit after the other. */
+template <int BITS>
+void expectLowBits(const VoxelCoord& v)
+{
+    size_t expected = 0;
+    for (int b = 0; b < BITS; ++b) {
+        expected |= static_cast<size_t>((v.x >> b) & 1) << b;
+        expected |= static_cast<size_t>((v.y >> b) & 1) << (BITS + b);
+        expected |= static_cast<size_t>((v.z >> b) & 1) << (2 * BITS + b);
+    }
+    ASSERT_EQ(lowBits<BITS>(packed(v)), expected);
+}
+}  // namespace
+
+TEST(VoxelCoord, LowBitsAreThoseOfEachAxis)
+{
+    EXPECT_EQ(lowBits<4>(packed({0x7f1, -1, 0x122})), 0x2f1u);
+    std::mt19937 random(4);
+    std::uniform_int_distribution<int32_t> any(-MAX_VOXEL_COORD, MAX_VOXEL_COORD);
+    for (int i = 0; i < 10000; ++i) {
+        const VoxelCoord v = {any(random), any(random), any(random)};
+        expectLowBits<1>(v);
+        expectLowBits<3>(v);
+        expectLowBits<4>(v);
+        expectLowBits<7>(v);
+        ASSERT_EQ(lowBits<3>(packed(v)), static_cast<size_t>(cellOf(v)));
+    }
+}
+
 TEST(VoxelCoord, BlockAndCellAreTheFloorAndTheRemainder)
 {
     EXPECT_EQ(blockOf({-1, -8, -9}), (VoxelCoord{-1, -1, -2}));

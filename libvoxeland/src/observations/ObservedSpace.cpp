@@ -12,21 +12,9 @@ namespace voxeland
 {
 namespace
 {
-/** The lowest BITS bits of packed coordinates side by side, x lowest. One multiplication moves all
- *  three. */
-template <int BITS>
-size_t lowBits(uint64_t key)
-{
-    constexpr int X = 2 * PACKED_BITS;  // where x goes; y and z go next to it
-    constexpr uint64_t AXIS = (1u << BITS) - 1;
-    constexpr uint64_t ALL = AXIS | (AXIS << PACKED_BITS) | (AXIS << (2 * PACKED_BITS));
-    constexpr uint64_t MOVES =
-        (uint64_t{1} << X) | (uint64_t{1} << (PACKED_BITS + BITS)) | (uint64_t{1} << (2 * BITS));
-    return (((key & ALL) * MOVES) >> X) & ((1u << (3 * BITS)) - 1);
-}
-
-/** Finds blocks by the keys of their voxels: packed() coordinates relative to a center, none of
- *  them negative. */
+/** Finds blocks by the keys of their voxels: packed() coordinates relative to a center, each with
+ *  its sign flipped: counted from the lowest there is, so that steps do not carry over between axes
+ *  near the center. */
 class BlockFinder
 {
  public:
@@ -37,7 +25,7 @@ class BlockFinder
 
     [[nodiscard]] uint64_t keyOf(const VoxelCoord& v) const
     {
-        return packed({v.x - m_base.x + MIDDLE, v.y - m_base.y + MIDDLE, v.z - m_base.z + MIDDLE});
+        return packed({v.x - m_base.x, v.y - m_base.y, v.z - m_base.z}) ^ SIGNS;
     }
     static int cellOf(uint64_t key) { return static_cast<int>(lowBits<3>(key)); }
 
@@ -52,9 +40,9 @@ class BlockFinder
 
  private:
     static constexpr int SLOT_BITS = 4;  //!< of each axis: blocks in a cube of 2^4 never collide
-    static constexpr uint64_t CELL =
-        7 | (uint64_t{7} << PACKED_BITS) | (uint64_t{7} << (2 * PACKED_BITS));
-    static constexpr int32_t MIDDLE = 1 << (PACKED_BITS - 1);
+    static constexpr uint64_t CELL = packed({7, 7, 7});
+    static constexpr int32_t SIGN = 1 << (PACKED_BITS - 1);
+    static constexpr uint64_t SIGNS = packed({SIGN, SIGN, SIGN});
 
     struct Slot
     {
@@ -64,11 +52,7 @@ class BlockFinder
 
     __attribute__((noinline)) void fill(Slot& slot, uint64_t key)
     {
-        constexpr uint64_t AXIS = (1u << PACKED_BITS) - 1;
-        const auto x = static_cast<int32_t>(key & AXIS) - MIDDLE;
-        const auto y = static_cast<int32_t>((key >> PACKED_BITS) & AXIS) - MIDDLE;
-        const auto z = static_cast<int32_t>((key >> (2 * PACKED_BITS)) & AXIS) - MIDDLE;
-        slot = {key & ~CELL, &m_space.at(blockOf(m_base + VoxelCoord{x, y, z}))};
+        slot = {key & ~CELL, &m_space.at(blockOf(m_base + unpacked(key ^ SIGNS)))};
     }
 
     ObservedSpace& m_space;

@@ -196,11 +196,8 @@ class VoxelGrouping
     uint32_t hitAt(const VoxelCoord& relative)
     {
         // The row before went through the same voxels: remember where they are.
-        constexpr int32_t LOW = (1 << FOUND_BITS) - 1;
-        Found& found =
-            m_found[static_cast<size_t>((relative.x & LOW) | ((relative.y & LOW) << FOUND_BITS) |
-                                        ((relative.z & LOW) << (2 * FOUND_BITS)))];
         const uint64_t key = packed(relative);
+        Found& found = m_found[lowBits<FOUND_BITS>(key)];
         if (found.key != key) {
             found = {key, m_index.insert(relative, static_cast<uint32_t>(m_hits.size()))};
             if (found.hit == m_hits.size()) m_hits.push_back({m_base + relative, 0, {0, 0, 0}});

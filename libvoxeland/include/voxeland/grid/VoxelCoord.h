@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <tuple>
 
@@ -35,12 +36,38 @@ inline constexpr int32_t MAX_VOXEL_COORD = (1 << 20) - 1;
 inline constexpr int PACKED_BITS = 21;
 
 /** One number per coordinate, 21 bits an axis; injective within +-MAX_VOXEL_COORD. */
-inline uint64_t packed(const VoxelCoord& c)
+constexpr uint64_t packed(const VoxelCoord& c)
 {
     constexpr uint64_t MASK = (1u << PACKED_BITS) - 1;
     return (static_cast<uint64_t>(c.x) & MASK) |
            ((static_cast<uint64_t>(c.y) & MASK) << PACKED_BITS) |
            ((static_cast<uint64_t>(c.z) & MASK) << (2 * PACKED_BITS));
+}
+
+/** Inverse of packed(). */
+constexpr VoxelCoord unpacked(uint64_t key)
+{
+    constexpr uint64_t MASK = (1u << PACKED_BITS) - 1;
+    constexpr int32_t SIGN = 1 << (PACKED_BITS - 1);
+    const auto axis = [key](int a) {
+        return (static_cast<int32_t>((key >> (a * PACKED_BITS)) & MASK) ^ SIGN) - SIGN;
+    };
+    return {axis(0), axis(1), axis(2)};
+}
+
+/** The lowest BITS bits of packed coordinates side by side, x lowest.
+ *  To multiply by a sum of powers of two is to add shifted copies of the key. One multiplication
+ *  moves all three: of each copy one axis lands in its place, and what lands elsewhere is cut. */
+template <int BITS>
+constexpr size_t lowBits(uint64_t key)
+{
+    static_assert(3 * BITS <= PACKED_BITS, "the copies would overlap");
+    constexpr int X = 2 * PACKED_BITS;  // where x goes; y and z go next to it
+    constexpr uint64_t AXIS = (1u << BITS) - 1;
+    constexpr uint64_t ALL = AXIS | (AXIS << PACKED_BITS) | (AXIS << (2 * PACKED_BITS));
+    constexpr uint64_t MOVES =
+        (uint64_t{1} << X) | (uint64_t{1} << (PACKED_BITS + BITS)) | (uint64_t{1} << (2 * BITS));
+    return (((key & ALL) * MOVES) >> X) & ((1u << (3 * BITS)) - 1);
 }
 
 /** Blocks of 8x8x8 voxels: the unit of storage. A block's coordinates are those of its voxels
