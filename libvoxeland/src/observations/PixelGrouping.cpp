@@ -27,27 +27,28 @@ struct Unprojection
     float nearest = 0, farthest = 0;  //!< depths used [m]
 };
 
+/** One axis of a row of pixels. */
+struct Axis
+{
+    std::vector<float> point;
+    std::vector<int32_t> voxel;      //!< that holds the point
+    std::vector<uint32_t> fraction;  //!< where in the voxel, of FRACTIONS
+
+    explicit Axis(size_t n) : point(n), voxel(n), fraction(n) {}
+};
+
 /** One row of pixels as voxels and places within them. */
 struct PixelRow
 {
-    std::vector<float> x, y, z;                             //!< points
-    std::vector<int32_t> i, j, k, valid;                    //!< their voxels
-    std::vector<uint32_t> fractionX, fractionY, fractionZ;  //!< where in the voxel, of FRACTIONS
+    std::array<Axis, 3> axes;
+    std::vector<int32_t> valid;
     std::vector<uint8_t> startsRun;  //!< the pixel's voxel differs from the pixel's before
 
-    explicit PixelRow(size_t n)
-        : x(n),
-          y(n),
-          z(n),
-          i(n),
-          j(n),
-          k(n),
-          valid(n),
-          fractionX(n),
-          fractionY(n),
-          fractionZ(n),
-          startsRun(n)
+    explicit PixelRow(size_t n) : axes{Axis(n), Axis(n), Axis(n)}, valid(n), startsRun(n) {}
+
+    [[nodiscard]] VoxelCoord voxelOf(size_t pixel) const
     {
+        return {axes[0].voxel[pixel], axes[1].voxel[pixel], axes[2].voxel[pixel]};
     }
 };
 
@@ -115,13 +116,13 @@ VOXELAND_WITH_AVX2 void findRuns(size_t n, const int32_t* __restrict i, const in
 void unproject(const Unprojection& u, const uint16_t* depth, const PixelDirections& directions,
                PixelRow& row)
 {
-    const size_t n = row.x.size();
-    transform(u, n, depth, directions.x(), directions.y(), directions.z(), row.x.data(),
-              row.y.data(), row.z.data(), row.valid.data());
-    split(n, row.x.data(), row.i.data(), row.fractionX.data());
-    split(n, row.y.data(), row.j.data(), row.fractionY.data());
-    split(n, row.z.data(), row.k.data(), row.fractionZ.data());
-    findRuns(n, row.i.data(), row.j.data(), row.k.data(), row.valid.data(), row.startsRun.data());
+    const size_t n = row.valid.size();
+    auto& [x, y, z] = row.axes;
+    transform(u, n, depth, directions.x(), directions.y(), directions.z(), x.point.data(),
+              y.point.data(), z.point.data(), row.valid.data());
+    for (Axis& a : row.axes) split(n, a.point.data(), a.voxel.data(), a.fraction.data());
+    findRuns(n, x.voxel.data(), y.voxel.data(), z.voxel.data(), row.valid.data(),
+             row.startsRun.data());
 }
 
 void collectRuns(const PixelRow& row, RowRuns& runs)
@@ -139,9 +140,9 @@ void collectRuns(const PixelRow& row, RowRuns& runs)
     for (uint32_t c = 0; c < pixels; ++c) {
         write(c);
         run += row.startsRun[c];
-        x += row.fractionX[c];
-        y += row.fractionY[c];
-        z += row.fractionZ[c];
+        x += row.axes[0].fraction[c];
+        y += row.axes[1].fraction[c];
+        z += row.axes[2].fraction[c];
     }
     write(pixels);
     runs.count = run;
@@ -170,7 +171,7 @@ class VoxelGrouping
             PixelRun& run = found[before + r];
             run.first = firstPixel + c;
             if (row.valid[c] == 0) continue;
-            const uint32_t hit = hitAt({row.i[c], row.j[c], row.k[c]});
+            const uint32_t hit = hitAt(row.voxelOf(c));
             run.hit = static_cast<int32_t>(hit);
             HitVoxel& voxel = m_hits[hit];
             voxel.points += runs.first[r + 1] - c;
