@@ -176,7 +176,7 @@ int makeMap(Arguments& arguments)
         std::cout << "the configuration is valid\n";
         return 0;
     }
-    if (!arguments.input.isSet() || !arguments.output.isSet())
+    if (arguments.input.getValue().empty() || arguments.output.getValue().empty())
         throw ConfigurationError("give a rawlog with -i and a map to write with -o (see --help)");
     if (arguments.every.getValue() == 0 || arguments.from.getValue() > arguments.to.getValue())
         throw ConfigurationError("--every must be at least 1 and --from not beyond --to");

@@ -91,7 +91,7 @@ void checkArguments(Arguments& arguments)
     const bool asks = !arguments.undo.isSet();
     if (asks && !arguments.input.isSet())
         throw ConfigurationError("give the rawlog the map was made from with -i (see --help)");
-    if (!arguments.output.isSet() && !arguments.dryRun.isSet())
+    if (arguments.output.getValue().empty() && !arguments.dryRun.isSet())
         throw ConfigurationError("give a map to write with -o, or --dry-run (see --help)");
     const std::string& input = arguments.input.getValue();
     apps::checkOutputs(

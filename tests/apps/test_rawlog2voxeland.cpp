@@ -279,6 +279,7 @@ TEST_F(Rawlog2voxeland, WrongConfigurationsEndWith1)
     expectFailure(run({"--no-such-option"}), 1, {"no-such-option", "--help"});
     expectFailure(run({"--verbosity", "LOUD"}), 1, {"LOUD"});
     expectFailure(runProgram("rawlog2voxeland", {"-i", in()}), 1, {"-o"});
+    expectFailure(runProgram("rawlog2voxeland", {"-i", in(), "-o", ""}), 1, {"-o"});
 }
 
 TEST_F(Rawlog2voxeland, MissingPluginsAndClassesEndWith2)
