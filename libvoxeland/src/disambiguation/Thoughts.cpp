@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/disambiguation/Thoughts.h"
+
+#include "voxeland/trimmed.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace voxeland
+{
+namespace
+{
+/** In lower case; they are found in any. */
+constexpr const char* MARKS[][2] = {
+    {"<think>", "</think>"},
+    {"<thinking>", "</thinking>"},
+    {"<thought>", "</thought>"},
+    {"<thoughts>", "</thoughts>"},
+    {"<reasoning>", "</reasoning>"},
+    {"<reflection>", "</reflection>"},
+    {"<scratchpad>", "</scratchpad>"},
+    {"<seed:think>", "</seed:think>"},
+    {"[think]", "[/think]"},
+    {"\u25c1think\u25b7", "\u25c1/think\u25b7"},
+    {"<|begin_of_thought|>", "<|end_of_thought|>"},
+    {"<|start_thinking|>", "<|end_thinking|>"},
+    {"<|channel>thought", "<channel|>"},
+    {"<|channel|>analysis", "<|channel|>final<|message|>"},
+    {"<|channel|>analysis", "assistantfinal"},
+};
+
+std::string lower(std::string text)
+{
+    const auto lowered = [](unsigned char c) { return static_cast<char>(std::tolower(c)); };
+    std::transform(text.begin(), text.end(), text.begin(), lowered);
+    return text;
+}
+
+/** Erases what stands between the marks, and a beginning that has only an end. */
+void eraseThoughts(std::string& text, const std::string& begin, const std::string& end)
+{
+    std::string searched = lower(text);
+    const auto erase = [&](size_t from, size_t to) {
+        text.replace(from, to - from, "\n");
+        searched.replace(from, to - from, "\n");
+    };
+    for (size_t to = searched.find(end); to != std::string::npos; to = searched.find(end)) {
+        const size_t from = searched.find(begin);
+        erase(from < to ? from : 0, to + end.size());
+    }
+}
+}  // namespace
+
+std::string withoutThoughts(const std::string& answer)
+{
+    std::string text = answer;
+    for (const auto& [begin, end] : MARKS) eraseThoughts(text, begin, end);
+    for (const auto& [begin, end] : MARKS)
+        text.resize(std::min(text.size(), lower(text).find(begin)));
+    return trimmed(text);
+}
+}  // namespace voxeland
