@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <tuple>
 #include <unordered_map>
 
 using namespace voxeland;
@@ -53,4 +54,25 @@ TEST(CoordHash, IsEmptyAgainAfterClear)
     EXPECT_EQ(hash.size(), 0u);
     EXPECT_EQ(hash.find({1, 1, 1}), CoordHash::NONE);
     EXPECT_EQ(hash.insert({1, 1, 1}, 5), 5u);
+}
+
+TEST(CoordHash, FindsWhatMapsHoldAtFirstSight)
+{
+    // Blocks of floors and walls, of lines, and of a cube; around the origin and far from it. A
+    // table at most half full needs (1 + 1 / (1 - 1/2)) / 2 = 1.5 probes at random (Knuth, vol.
+    // 3, 6.4).
+    const auto meanProbes = [](int32_t columns, int32_t rows, int32_t layers, int32_t from) {
+        CoordHash hash;
+        uint32_t n = 0;
+        for (int32_t z = 0; z < layers; ++z)
+            for (int32_t y = 0; y < rows; ++y)
+                for (int32_t x = 0; x < columns; ++x)
+                    hash.insert({from + x, from / 2 + y, z - layers / 2}, n++);
+        return hash.meanProbes();
+    };
+    for (const int32_t from : {-40, 0, 17, -100000})
+        for (const auto& [x, y, z] :
+             {std::tuple(120, 100, 1), std::tuple(90, 1, 30), std::tuple(1, 90, 30),
+              std::tuple(20, 20, 20), std::tuple(3000, 1, 1), std::tuple(1, 1, 3000)})
+            EXPECT_LT(meanProbes(x, y, z, from), 1.5) << x << "x" << y << "x" << z << " " << from;
 }
