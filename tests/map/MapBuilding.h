@@ -55,7 +55,7 @@ inline void changeAtRandom(SemanticVoxelMap& map, std::mt19937& random)
         view.area = view.frame + 1;
         view.score = view.probability = 0.5F;
         view.target.x = static_cast<float>(place(random));
-        i.views.add(i.categories.entries().front().category, view, map.options().views);
+        i.views.add(i.categories.entries().front().category, view, map.options().views_kept);
         Decision decision;
         decision.evidence = 0.75;
         decision.answer = "none of them";

@@ -159,3 +159,19 @@ TEST(NearestWord, IsTheOneWithFewestEdits)
     EXPECT_EQ(nearestWord("xyz", words), "");
     EXPECT_EQ(nearestWord("anything", {}), "");
 }
+
+TEST(OptionList, RetiredKeysAreReadAndDoNothing)
+{
+    int number = 1;
+    OptionList list;
+    list.add("number", number, {0, 9}, "A number");
+    list.retire("former");
+    std::vector<std::string> problems;
+    list.load(Ini::fromText("[s]\nFormer = what was here\nnumber = 2\n", "the test"), "s",
+              problems);
+    EXPECT_TRUE(problems.empty());
+    EXPECT_EQ(number, 2);
+    std::ostringstream out;
+    list.print(out, "s");
+    EXPECT_EQ(out.str().find("former"), std::string::npos);
+}

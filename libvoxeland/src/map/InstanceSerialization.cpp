@@ -122,7 +122,7 @@ void write(CArchive& out, const Instance& i)
     writeAll(out, i.decisions);
 }
 
-Instance readInstance(CArchive& in, const CategoryTable& categories, const ViewLimits& limits)
+Instance readInstance(CArchive& in, const CategoryTable& categories, uint32_t viewsKept)
 {
     Instance i;
     in >> i.id >> i.observations >> i.firstFrame >> i.lastFrame >> i.tracks;
@@ -136,7 +136,7 @@ Instance readInstance(CArchive& in, const CategoryTable& categories, const ViewL
         const auto category = in.ReadAs<category_id_t>();
         checkCategory(category, categories);
         for (auto views = in.ReadAs<uint32_t>(); views > 0; --views)
-            i.views.add(category, readView(in), limits);
+            i.views.add(category, readView(in), viewsKept);
     }
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) i.history.push_back(readEvent(in));
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n)

@@ -29,5 +29,5 @@ Number readEvidence(mrpt::serialization::CArchive& in)
 void write(mrpt::serialization::CArchive& out, const Instance& i);
 /** \param categories those of the map */
 Instance readInstance(mrpt::serialization::CArchive& in, const CategoryTable& categories,
-                      const ViewLimits& limits);
+                      uint32_t viewsKept);
 }  // namespace voxeland

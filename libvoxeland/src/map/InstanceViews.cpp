@@ -41,15 +41,6 @@ void keepBest(Views& views, size_t most)
         kept.push_back(views[order[i].second]);
     views = std::move(kept);
 }
-
-/** Forgets the categories with the poorest best view. */
-void keepBestCategories(InstanceViews::ByCategory& views, size_t most)
-{
-    while (views.size() > most)
-        views.erase(std::max_element(views.begin(), views.end(), [](const auto& a, const auto& b) {
-            return isBetter(a.second.front(), b.second.front());
-        }));
-}
 }  // namespace
 
 mrpt::math::TPoint3Df InstanceView::direction() const
@@ -72,29 +63,27 @@ const Views& InstanceViews::of(category_id_t category) const
     return at == m_views.end() ? none : at->second;
 }
 
-void InstanceViews::add(category_id_t category, const InstanceView& view, const ViewLimits& limits)
+void InstanceViews::add(category_id_t category, const InstanceView& view, uint32_t most)
 {
-    if (limits.perCategory == 0 || limits.categories == 0) return;
+    if (most == 0) return;
     Views& views = m_views[category];
     views.push_back(view);
-    keepBest(views, limits.perCategory);
-    keepBestCategories(m_views, limits.categories);
+    keepBest(views, most);
 }
 
-void InstanceViews::add(const InstanceViews& other, const ViewLimits& limits)
+void InstanceViews::add(const InstanceViews& other, uint32_t most)
 {
     for (const auto& [category, views] : other.m_views)
-        for (const InstanceView& view : views) add(category, view, limits);
+        for (const InstanceView& view : views) add(category, view, most);
 }
 
 void InstanceViews::moveTo(InstanceViews& other,
-                           const std::function<bool(const InstanceView&)>& belongs,
-                           const ViewLimits& limits)
+                           const std::function<bool(const InstanceView&)>& belongs, uint32_t most)
 {
     for (auto& [category, views] : m_views) {
         const auto moved = std::stable_partition(
             views.begin(), views.end(), [&](const InstanceView& v) { return !belongs(v); });
-        for (auto view = moved; view != views.end(); ++view) other.add(category, *view, limits);
+        for (auto view = moved; view != views.end(); ++view) other.add(category, *view, most);
         views.erase(moved, views.end());
     }
     for (auto at = m_views.begin(); at != m_views.end();)

@@ -14,22 +14,22 @@ namespace voxeland
 {
 namespace
 {
-constexpr uint8_t VERSION = 1;
+constexpr uint8_t VERSION = 2;
 
 void write(CArchive& out, const MapOptions& o)
 {
     out << o.resolution << o.membership << o.occupancy.prob_hit << o.occupancy.prob_miss
         << o.occupancy.prob_min << o.occupancy.prob_max << o.prior_strength << toString(o.entropy)
-        << o.views.perCategory << o.views.categories;
+        << o.views_kept;
 }
 
-MapOptions readOptions(CArchive& in)
+MapOptions readOptions(CArchive& in, uint8_t version)
 {
     MapOptions o;
     std::string entropy;
     in >> o.resolution >> o.membership >> o.occupancy.prob_hit >> o.occupancy.prob_miss >>
-        o.occupancy.prob_min >> o.occupancy.prob_max >> o.prior_strength >> entropy >>
-        o.views.perCategory >> o.views.categories;
+        o.occupancy.prob_min >> o.occupancy.prob_max >> o.prior_strength >> entropy >> o.views_kept;
+    if (version < 2) in.ReadAs<uint32_t>();  // categories that kept views
     o.entropy = entropyMeasureFromString(entropy);
     return o;
 }
@@ -78,10 +78,10 @@ void SemanticVoxelMap::writeTo(CArchive& out) const
 void SemanticVoxelMap::readFrom(CArchive& in)
 {
     const auto version = in.ReadAs<uint8_t>();
-    if (version != VERSION)
+    if (version < 1 || version > VERSION)
         throw std::runtime_error("map format version " + std::to_string(version) +
                                  " is not known: it was written by another Voxeland");
-    SemanticVoxelMap read(readOptions(in));
+    SemanticVoxelMap read(readOptions(in, version));
     std::vector<std::string> names;
     in >> names >> read.m_nextInstance >> read.m_absorbed >> read.m_dismissed;
     for (const auto& [absorbed, survivor] : read.m_absorbed)
@@ -89,7 +89,7 @@ void SemanticVoxelMap::readFrom(CArchive& in)
             throw std::runtime_error("corrupt map: an impossible merge");
     for (const auto& name : names) read.m_categories.add(name);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
-        Instance i = readInstance(in, read.m_categories, read.m_options.views);
+        Instance i = readInstance(in, read.m_categories, read.m_options.views_kept);
         const instance_id_t id = i.id;
         if (id == UNKNOWN_INSTANCE || id >= read.m_nextInstance ||
             !read.m_instances.emplace(id, std::move(i)).second)

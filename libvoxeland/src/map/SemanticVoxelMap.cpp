@@ -2,6 +2,7 @@
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -24,6 +25,12 @@ std::vector<Decision> scaled(std::vector<Decision> decisions, double share)
     if (!(share > 0)) return {};
     for (Decision& d : decisions) d.evidence *= share;
     return decisions;
+}
+
+/** The nearest whole number to a share of some observations. \param share in [0,1] */
+uint32_t shareOf(uint32_t observations, double share)
+{
+    return static_cast<uint32_t>(std::lround(share * observations));
 }
 
 /** Square of the distance to the nearest of some points [m^2]. */
@@ -88,6 +95,7 @@ void SemanticVoxelMap::changeEvidence(VoxelEvidence& evidence, Change&& change)
 
 void SemanticVoxelMap::addEvidence(const VoxelCoord& v, instance_id_t instance, float alpha)
 {
+    if (!(alpha > 0)) return;
     const VoxelCoord block = blockOf(v);
     VoxelEvidence& evidence = m_blocks.at(block).evidenceAt(cellOf(v));
     if (instance == UNKNOWN_INSTANCE) {
@@ -140,7 +148,7 @@ void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed, uin
     to.firstFrame = std::min(to.firstFrame, from.firstFrame);
     to.lastFrame = std::max(to.lastFrame, from.lastFrame);
     to.tracks.insert(from.tracks.begin(), from.tracks.end());
-    to.views.add(from.views, m_options.views);
+    to.views.add(from.views, m_options.views_kept);
     to.decisions.insert(to.decisions.end(), from.decisions.begin(), from.decisions.end());
     for (const InstanceEvent& event : from.history) remember(to.history, event);
     std::stable_sort(to.history.begin(), to.history.end(),
@@ -162,7 +170,8 @@ Instance& SemanticVoxelMap::split(instance_id_t from, const std::vector<VoxelCoo
     }
     part.categories.add(whole.categories, categoryShare);
     whole.categories.add(part.categories, -1);
-    part.observations = whole.observations;
+    part.observations = shareOf(whole.observations, categoryShare);
+    whole.observations -= part.observations;
     part.firstFrame = whole.firstFrame;
     part.lastFrame = whole.lastFrame;
     part.decisions = scaled(whole.decisions, categoryShare);
@@ -173,7 +182,7 @@ Instance& SemanticVoxelMap::split(instance_id_t from, const std::vector<VoxelCoo
         [&](const InstanceView& v) {
             return squaredDistance(v.target, ofPart) < squaredDistance(v.target, ofWhole);
         },
-        m_options.views);
+        m_options.views_kept);
     remember(whole.history, {InstanceEvent::Kind::divided, frame, from, part.id});
     part.history = whole.history;
     return part;

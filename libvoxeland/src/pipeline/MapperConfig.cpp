@@ -68,10 +68,9 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
                                                             {"paper", EntropyMeasure::paper},
                                                             {"mean", EntropyMeasure::mean}},
         "Measure of uncertainty [nat]");
-    list.add("views_kept", o.views.perCategory, {0, 100},
+    list.add("views_kept", o.views_kept, {0, 100},
              "Best views an instance keeps of each category, for voxeland-disambiguate");
-    list.add("view_categories", o.views.categories, {0, 100},
-             "Categories of an instance that keep views");
+    list.retire("view_categories");
 }
 
 void declare(OptionList& list, RefinementOptions& o)

@@ -142,9 +142,12 @@ void OptionList::load(const Ini& ini, const std::string& section,
     std::vector<std::string> known;
     for (const Option& o : m_options) known.push_back(o.key);
     for (const std::string& key : ini.keys(section)) {
-        const auto option = std::find_if(m_options.begin(), m_options.end(), [&](const Option& o) {
-            return lowerCase(o.key) == lowerCase(key);
-        });
+        const auto isKey = [&](const std::string& name) {
+            return lowerCase(name) == lowerCase(key);
+        };
+        if (std::any_of(m_retired.begin(), m_retired.end(), isKey)) continue;
+        const auto option = std::find_if(m_options.begin(), m_options.end(),
+                                         [&](const Option& o) { return isKey(o.key); });
         if (option == m_options.end()) {
             const std::string nearest = nearestWord(key, known);
             problems.push_back("[" + section + "] has no key '" + key + "'" +

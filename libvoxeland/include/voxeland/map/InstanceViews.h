@@ -32,18 +32,11 @@ struct InstanceView
     [[nodiscard]] float quality() const;
 };
 
-/** How many views are kept. */
-struct ViewLimits
-{
-    uint32_t perCategory = 8;  //!< views of an instance that spoke for the same category
-    uint32_t categories = 10;  //!< categories of an instance that have views
-};
-
-/** The best views of an instance, by the category each spoke for, in bounded memory. Of each
+/** The best views of an instance, by the category each spoke for: so many of each category. Of each
  * direction of view (some 25 degrees wide) the best one counts first, then the second best and so
  * on; among those of the same rank the better one (see InstanceView::quality(), the earlier of
  * equals). So what is kept of a category does not depend on the order in which views come, nor on
- * how instances were merged. The categories kept are those of the best views. */
+ * how instances were merged. */
 class InstanceViews
 {
  public:
@@ -54,12 +47,13 @@ class InstanceViews
     /** Views that spoke for a category; empty if there are none. */
     [[nodiscard]] const std::vector<InstanceView>& of(category_id_t category) const;
 
-    void add(category_id_t category, const InstanceView& view, const ViewLimits& limits);
+    /** \param most views to keep of the category */
+    void add(category_id_t category, const InstanceView& view, uint32_t most);
     /** Adds all of another instance's views. */
-    void add(const InstanceViews& other, const ViewLimits& limits);
+    void add(const InstanceViews& other, uint32_t most);
     /** Moves the views for which `belongs` is true to another instance. */
     void moveTo(InstanceViews& other, const std::function<bool(const InstanceView&)>& belongs,
-                const ViewLimits& limits);
+                uint32_t most);
 
  private:
     ByCategory m_views;

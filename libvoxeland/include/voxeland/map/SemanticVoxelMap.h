@@ -27,7 +27,7 @@ struct MapOptions
                //!< speaks for instances there, in [0,1]; 0: a single vote does
     double prior_strength = 2;  //!< W: W/K is added to each of K known categories
     EntropyMeasure entropy = EntropyMeasure::expected;  //!< the measure used by queries
-    ViewLimits views;                                   //!< how many views an instance keeps
+    uint32_t views_kept = 8;  //!< views an instance keeps of each category it was taken for
 };
 
 /** The probabilistic, instance-aware semantic voxel map (paper, "Map Representation"): occupancy
@@ -65,7 +65,8 @@ class SemanticVoxelMap
     [[nodiscard]] log_odds_t occupancy(const VoxelCoord& v) const;
     /** Evidence of a voxel, or null where no point was ever measured. */
     [[nodiscard]] const VoxelEvidence* evidence(const VoxelCoord& v) const;
-    /** Adds evidence for an instance (or UNKNOWN_INSTANCE) to a voxel. \param alpha > 0 */
+    /** Adds evidence for an instance (or UNKNOWN_INSTANCE) to a voxel. \param alpha what is not > 0
+     *  (discounted until nothing is left, say) is no evidence: nothing changes */
     void addEvidence(const VoxelCoord& v, instance_id_t instance, float alpha);
 
     /** Calls f(instance) for each instance that a voxel with this evidence is part of (see
@@ -112,9 +113,9 @@ class SemanticVoxelMap
      */
     void merge(instance_id_t survivor, instance_id_t absorbed, uint32_t frame);
     /** Makes a new instance of some voxels of an instance: their evidence for it moves, and the
-     *  share `categoryShare` in [0,1] of its category evidence. A view goes to the part that is
-     *  nearer to what it looked at. \param frame after which it happens
-     *  \return the new instance */
+     *  share `categoryShare` in [0,1] of its category evidence and of its number of observations
+     *  (rounded). A view goes to the part that is nearer to what it looked at. \param frame after
+     * which it happens \return the new instance */
     Instance& split(instance_id_t from, const std::vector<VoxelCoord>& voxels, double categoryShare,
                     uint32_t frame);
     /** Keeps an instance's record, but shows it as *unknown*: too little speaks for it. */

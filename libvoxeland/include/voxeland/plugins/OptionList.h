@@ -58,6 +58,10 @@ class OptionList
             comment + ": " + allowed);
     }
 
+    /** A key of earlier versions: an INI that has it, or a map made with one, is read as before,
+     *  but the key does nothing any more. */
+    void retire(const std::string& key) { m_retired.push_back(key); }
+
     /** Sets the variables that `section` of the INI names, and adds a sentence to `problems` for
      * every value that is malformed or out of range, and for every unknown key (with the nearest
      * known one). */
@@ -85,6 +89,7 @@ class OptionList
                    const std::string& comment);
 
     std::vector<Option> m_options;
+    std::vector<std::string> m_retired;
 };
 
 /** Of some words the one most like a misspelt one; empty if none is near. */
