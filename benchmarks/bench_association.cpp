@@ -11,11 +11,12 @@ namespace
 void findOverlaps(benchmark::State& state)
 {
     const auto& frames = preparedFrames();
+    const double sharpness = MapperConfig().integration.sharpness;
     SemanticVoxelMap map = filledMap();
     OverlapFinder finder;
     size_t i = 0;
     for (auto _ : state) {
-        const auto overlaps = finder.find(frames[i++ % frames.size()], map);
+        const auto overlaps = finder.find(frames[i++ % frames.size()], sharpness, map);
         benchmark::DoNotOptimize(overlaps.data());
     }
     state.SetLabel("budget of associate");
@@ -29,7 +30,8 @@ void associate(benchmark::State& state)
     OverlapFinder finder;
     size_t i = 0;
     for (auto _ : state) {
-        const auto overlaps = finder.find(frames[i++ % frames.size()], map);
+        const auto overlaps =
+            finder.find(frames[i++ % frames.size()], config.integration.sharpness, map);
         const auto assignments = config.association->associate(overlaps, map);
         benchmark::DoNotOptimize(assignments.data());
     }

@@ -42,7 +42,7 @@ struct AssociatedFrames
         const MapperConfig config;
         OverlapFinder finder;
         for (const PreparedFrame& frame : preparedFrames()) {
-            opinions.push_back(finder.find(frame, map));
+            opinions.push_back(finder.find(frame, config.integration.sharpness, map));
             instances.push_back(
                 resolveAssignments(config.association->associate(opinions.back(), map), map));
             missed.push_back(finder.missed(instances.back(), config.integration.missed_share, map));

@@ -114,3 +114,13 @@ TEST(OccupancyFilter, WeakenedObservationsAddAShareOfTheLogOdds)
     EXPECT_EQ(filter.weakened(1).afterHit(100), filter.afterHit(100));
     EXPECT_EQ(filter.weakened(0).afterMiss(100), 100);
 }
+
+TEST(OccupancyFilter, EvenOddsAreNeitherOccupiedNorFree)
+{
+    EXPECT_TRUE(OccupancyFilter::isOccupied(1));
+    EXPECT_TRUE(OccupancyFilter::isFree(-1));
+    for (const log_odds_t even : {log_odds_t{0}, UNOBSERVED}) {
+        EXPECT_FALSE(OccupancyFilter::isOccupied(even));
+        EXPECT_FALSE(OccupancyFilter::isFree(even));
+    }
+}

@@ -153,3 +153,16 @@ TEST(MapSerialization, ImpossibleContentIsRefused)
               std::string::npos);
     EXPECT_EQ(refusal(bytes, bytesOf(ALPHA), bytesOf(2 * ALPHA)), "accepted");
 }
+
+TEST(MapSerialization, ImpossibleMergesAreRefused)
+{
+    SemanticVoxelMap map;
+    for (int i = 0; i < 0x1234; ++i) map.createInstance();
+    map.merge(0x1233, 0x1234, 0);
+    map.instance(0x1233).history.clear();  // where the two numbers would stand once more
+    const auto pair = [](instance_id_t a, instance_id_t b) { return bytesOf(a) + bytesOf(b); };
+    const std::string bytes = bytesOf(map), merge = pair(0x1234, 0x1233), corrupt = "corrupt map: ";
+    EXPECT_EQ(refusal(bytes, merge, pair(0x1233, 0x1233)).find(corrupt), 0U) << "with itself";
+    EXPECT_EQ(refusal(bytes, merge, pair(0x1235, 0x1233)).find(corrupt), 0U) << "of no instance";
+    EXPECT_EQ(refusal(bytes, merge, pair(0x1234, 0x1232)), "accepted");
+}

@@ -167,6 +167,30 @@ TEST(SemanticVoxelMap, DismissedInstancesLoseTheirVoxelsAndKeepTheirEvidence)
     EXPECT_THROW(map.dismiss(77), std::out_of_range);
 }
 
+TEST(SemanticVoxelMap, NothingIsNoEvidence)
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id;
+    for (const float alpha : {0.0F, -1.0F, std::nanf(""), 1e-30F * 1e-30F}) {
+        map.addEvidence({1, 2, 3}, id, alpha);
+        map.addEvidence({1, 2, 3}, UNKNOWN_INSTANCE, alpha);
+    }
+    EXPECT_EQ(map.evidence({1, 2, 3}), nullptr);
+    EXPECT_EQ(map.instance(id).voxels, 0U);
+    EXPECT_TRUE(map.empty());
+}
+
+TEST(SemanticVoxelMap, ASplitSharesTheObservations)
+{
+    SemanticVoxelMap map;
+    map.createInstance().observations = 10;
+    const instance_id_t part = map.split(1, {}, 0.28, 0).id;
+    EXPECT_EQ(map.instance(part).observations, 3U);
+    EXPECT_EQ(map.instance(1).observations, 7U);
+    map.merge(1, part, 0);
+    EXPECT_EQ(map.instance(1).observations, 10U);
+}
+
 TEST(SemanticVoxelMap, AnAbsorbedInstanceIsNoLongerDismissed)
 {
     SemanticVoxelMap map;

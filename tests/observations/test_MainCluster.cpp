@@ -65,6 +65,20 @@ TEST(MainCluster, AThinObjectIsKept)
     EXPECT_EQ(pointsOf(kept), 120);
 }
 
+TEST(MainCluster, CoarseCellsAreOfOneSizeOnBothSidesOfTheOrigin)
+{
+    // A box and a wall 0.25 m behind it: between their coarse cells of 0.1 m lies one empty cell,
+    // so that they are apart wherever the camera stands on the grid of coarse cells.
+    for (const double x : {0.0, -0.6, -1.0, -1.1, -1.2, -1.3, -3.0}) {
+        RgbdFrame frame;
+        frame.scan = test::makeScan(
+            [](int c, int r) { return c >= 30 && c < 50 && r >= 20 && r < 40 ? 1.02 : 1.27; });
+        frame.robotPose = mrpt::poses::CPose3D(x, 0, 0, 0, 0, 0);
+        const VoxelizedFrame voxels(frame, RESOLUTION, {});
+        EXPECT_EQ(pointsOf(mainCluster(voxels, test::rectangleMask(27, 17, 53, 43), {})), 400) << x;
+    }
+}
+
 TEST(MainCluster, EachVoxelOnceWithItsNumberOfPoints)
 {
     const auto frame = frameOf([](int c, int r) { return 1 + 0.004 * c + 0.003 * r; });

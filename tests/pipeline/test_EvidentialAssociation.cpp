@@ -75,6 +75,13 @@ TEST(EvidentialAssociation, WhatOverlapsLessButIsNamedAlikeIsPreferred)
               8U);
 }
 
+TEST(EvidentialAssociation, WhatLiesWithinTheInstanceIsPreferredToWhatCoversIt)
+{
+    EXPECT_EQ(assigned({{3, 90, 100, 120, 120, 100, 0},  // IoV 0.75 + IoM 0.9
+                        {8, 70, 100, 90, 90, 100, 0}}),  // IoV 0.78 + IoM 0.7
+              3U);
+}
+
 TEST(EvidentialAssociation, AnInstanceNobodyClaimsIsSeenUnderAnotherName)
 {
     // IoV 0.25 and IoM 0.5: far from what differing categories need otherwise.

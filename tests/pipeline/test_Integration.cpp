@@ -161,19 +161,85 @@ TEST(IntegrateGeometry, ClaimedPointsGoToTheInstanceAndTheRestToUnknown)
     EXPECT_EQ(map.instance(id).voxels, 1u);
 }
 
-TEST(IntegrateGeometry, PointsClaimedTwiceAreSharedByConfidence)
+namespace
+{
+/** What instances get of one voxel's points when each has an opinion about some of them. */
+struct SharedHit
 {
     SemanticVoxelMap map;
-    const instance_id_t a = map.createInstance().id, b = map.createInstance().id;
-    auto frame = wallFrame();
-    const uint32_t hit = hitWith(frame, 4);
-    const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
-    frame.opinions = {opinion(hit, points, 0.9F), opinion(hit, points, 0.3F)};
-    integrateGeometry(frame, {a, b}, {}, 0.2, map);
-    const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
-    EXPECT_FLOAT_EQ(evidence.alphaOf(a), points * 0.75F);
-    EXPECT_FLOAT_EQ(evidence.alphaOf(b), points * 0.25F);
-    EXPECT_EQ(evidence.alphaOf(UNKNOWN_INSTANCE), 0);
+    PreparedFrame frame = wallFrame();
+    uint32_t hit = hitWith(frame, 4);
+    float points = static_cast<float>(frame.voxels.hits()[hit].points);
+    std::vector<instance_id_t> ids = {};
+
+    void claim(float claimed, float confidence)
+    {
+        ids.push_back(map.createInstance().id);
+        frame.opinions.push_back(opinion(hit, claimed, confidence));
+    }
+    /** alpha of each opinion's instance, that of *unknown* last. */
+    std::vector<float> shared()
+    {
+        integrateGeometry(frame, ids, {}, 0.5, map);
+        const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
+        std::vector<float> alpha;
+        for (const instance_id_t id : ids) alpha.push_back(evidence.alphaOf(id));
+        alpha.push_back(evidence.alphaOf(UNKNOWN_INSTANCE));
+        return alpha;
+    }
+};
+
+void expectNear(const std::vector<float>& found, const std::vector<float>& expected)
+{
+    ASSERT_EQ(found.size(), expected.size());
+    for (size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-5) << i;
+}
+}  // namespace
+
+TEST(IntegrateGeometry, EachKeepsItsOwnWhereThereIsEnough)
+{
+    SharedHit voxel;
+    voxel.claim(1, 0.9F);
+    voxel.claim(voxel.points - 2, 0.1F);
+    EXPECT_EQ(voxel.shared(), (std::vector<float>{1, voxel.points - 2, 0.5F}));
+}
+
+TEST(IntegrateGeometry, PointsClaimedTwiceAreSharedByConfidence)
+{
+    SharedHit voxel;
+    voxel.claim(voxel.points, 0.3F);
+    voxel.claim(voxel.points, 0.9F);
+    expectNear(voxel.shared(), {voxel.points * 0.25F, voxel.points * 0.75F, 0});
+}
+
+TEST(IntegrateGeometry, NobodyGetsMoreThanItClaimed)
+{
+    // One point too many is claimed, and weights are 9 to 1: the sure one is not cut at all.
+    SharedHit voxel;
+    voxel.claim(voxel.points - 1, 0.9F);
+    voxel.claim(2, 0.1F);
+    expectNear(voxel.shared(), {voxel.points - 1, 1, 0});
+}
+
+TEST(IntegrateGeometry, WhatTheSureOnesLeaveIsSharedByTheOthers)
+{
+    // lambda * c * s = {4 * 1, 8 * 1/4, 8 * 1/4} and more: {4, 2, 2} for 8 points.
+    SharedHit voxel;
+    const float eighth = voxel.points / 8;
+    voxel.claim(8 * eighth, 0.25F);
+    voxel.claim(4 * eighth, 1);
+    voxel.claim(8 * eighth, 0.25F);
+    expectNear(voxel.shared(), {2 * eighth, 4 * eighth, 2 * eighth, 0});
+}
+
+TEST(IntegrateGeometry, ASmallMaskOnALargeOneSaysMoreAboutItsPoints)
+{
+    SharedHit voxel;
+    voxel.claim(voxel.points, 0.6F);  // a cup of one voxel
+    voxel.claim(voxel.points, 0.6F);  // a table of three
+    for (const uint32_t other : {voxel.hit + 1, voxel.hit + 2})
+        voxel.frame.opinions[1].voxels.push_back({other, 1});
+    expectNear(voxel.shared(), {voxel.points * 0.75F, voxel.points * 0.25F, 0});
 }
 
 TEST(IntegrateGeometry, TwoOpinionsAboutOneInstanceCountTheirPointsOnce)
@@ -208,6 +274,35 @@ TEST(IntegrateSemantics, BetaGrowsByConfidenceTimesProbability)
     EXPECT_EQ(instance.firstFrame, 4u);
     EXPECT_EQ(instance.lastFrame, 7u);
     EXPECT_EQ(instance.tracks, (std::set<int64_t>{9}));
+}
+
+TEST(IntegrateSemantics, WhatIsSeenAgainIsNoLongerDismissed)
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id, other = map.createInstance().id;
+    map.dismiss(id);
+    map.dismiss(other);
+    const Opinion o = opinion(0, 1, 0.5F);
+    OpinionOverlaps overlaps;
+    overlaps.opinion = &o;
+    integrateSemantics({overlaps}, {id}, 0, 1, map);
+    EXPECT_EQ(map.dismissed(), std::set<instance_id_t>{other});
+}
+
+TEST(IntegrateSemantics, APartOfASplitKeepsItsFirstFrameUntilItIsSeenAlone)
+{
+    SemanticVoxelMap map;
+    Instance& whole = map.createInstance();
+    whole.observations = 1;
+    whole.firstFrame = 3;
+    const instance_id_t part = map.split(whole.id, {}, 0.25, 9).id;
+    ASSERT_EQ(map.instance(part).observations, 0U);
+    const Opinion o = opinion(0, 1, 0.5F);
+    OpinionOverlaps overlaps;
+    overlaps.opinion = &o;
+    integrateSemantics({overlaps}, {part}, 12, 1, map);
+    EXPECT_EQ(map.instance(part).firstFrame, 3U);
+    EXPECT_EQ(map.instance(part).lastFrame, 12U);
 }
 
 TEST(IntegrateSemantics, SharpnessFavoursTheMostProbableCategory)

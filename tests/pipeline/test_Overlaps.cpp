@@ -71,8 +71,8 @@ TEST(OverlapFinder, CountsWhatBruteForceCounts)
     const PreparedFrame frame = steppedWall();
     SemanticVoxelMap map = randomMapAround(frame);
     OverlapFinder finder;
-    (void)finder.find(frame, map);  // nothing of one frame may be left for the next
-    const auto found = finder.find(frame, map);
+    (void)finder.find(frame, 1, map);  // nothing of one frame may be left for the next
+    const auto found = finder.find(frame, 1, map);
     ASSERT_EQ(found.size(), 2U);
     uint32_t hidden = 0, outvoted = 0;
     for (size_t i = 0; i < found.size(); ++i) {
@@ -127,7 +127,7 @@ TEST(OverlapFinder, InstancesInViewThatNoOpinionIsAboutWereMissed)
         addBox(map, id, outOfView + VoxelCoord{10 * hidden, 0, 0}, {hidden, 1, 1});
     }
     OverlapFinder finder;
-    EXPECT_TRUE(finder.find(frame, map).empty());
+    EXPECT_TRUE(finder.find(frame, 1, map).empty());
     using Ids = std::vector<instance_id_t>;
     EXPECT_EQ(finder.missed({}, 0.49, map), (Ids{1, 2}));
     EXPECT_EQ(finder.missed({}, 0.5, map), (Ids{1}));
@@ -140,11 +140,24 @@ TEST(OverlapFinder, NewCategoriesGetNumbersAndAnEmptyMapHasNoCandidates)
 {
     const PreparedFrame frame = steppedWall();
     SemanticVoxelMap map = handMadeMap();
-    const auto found = OverlapFinder().find(frame, map);
+    const auto found = OverlapFinder().find(frame, 1, map);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_TRUE(found[0].candidates.empty());
     EXPECT_EQ(map.categories().names(), (std::vector<std::string>{"chair", "table"}));
     EXPECT_FLOAT_EQ(static_cast<float>(found[1].categories.betaOf(1)), 1);
+}
+
+TEST(OverlapFinder, ComparesCategoriesAsTheyCountAsEvidence)
+{
+    PreparedFrame frame = steppedWall();
+    frame.opinions.resize(1);
+    frame.opinions[0].categories = {{"chair", 0.75F}, {"sofa", 0.25F}};
+    SemanticVoxelMap map = handMadeMap();
+    const instance_id_t id = addInstance(map, "chair", 9);  // 0.75^2 : 0.25^2 = 9 : 1
+    map.instance(id).categories.add(map.categories().add("sofa"), 1);
+    map.addEvidence(frame.voxels.hits()[0].coord, id, 1);
+    EXPECT_NEAR(OverlapFinder().find(frame, 2, map)[0].candidates.at(0).similarity, 1, 1e-6);
+    EXPECT_LT(OverlapFinder().find(frame, 1, map)[0].candidates.at(0).similarity, 0.99);
 }
 
 TEST(OverlapFinder, CountsTheVoxelsThatOpinionsShare)
@@ -152,7 +165,7 @@ TEST(OverlapFinder, CountsTheVoxelsThatOpinionsShare)
     const PreparedFrame frame = steppedWall();  // every second voxel, and every third
     SemanticVoxelMap map = handMadeMap();
     OverlapFinder finder;
-    const auto opinions = finder.find(frame, map);
+    const auto opinions = finder.find(frame, 1, map);
     const auto hits = static_cast<uint32_t>(frame.voxels.hits().size());
     const uint32_t every6th = (hits + 5) / 6;
     EXPECT_EQ(opinions[0].shared, (std::vector<uint32_t>{0, every6th}));

@@ -102,6 +102,35 @@ TEST(RefinementDivides, TwoCubesBecomeTwoInstancesWithTheirShareOfEvidence)
     }
 }
 
+TEST(RefinementDivides, EachPartTakesItsShareOfWhatIsLeft)
+{
+    SemanticVoxelMap map = handMadeMap();
+    const instance_id_t old = addInstance(map, "chair", 371);
+    addBox(map, old, {0, 0, 0}, {5, 5, 5}, 1);   // evidence 125
+    addBox(map, old, {12, 0, 0}, {4, 4, 4}, 3);  // evidence 192
+    addBox(map, old, {0, 12, 0}, {3, 3, 3}, 2);  // evidence 54
+    EXPECT_EQ(refined(map, handMadeRefinement()).splits, 2U);
+    std::vector<double> beta;
+    for (const auto& [id, instance] : map.instances()) beta.push_back(instance.categories.total());
+    ASSERT_EQ(beta.size(), 3U);
+    EXPECT_NEAR(beta[0], 125, 1e-9);
+    EXPECT_NEAR(beta[1], 192, 1e-9);
+    EXPECT_NEAR(beta[2], 54, 1e-9);
+}
+
+TEST(RefinementDivides, WhatIsFreeNowConnectsNothing)
+{
+    SemanticVoxelMap map = handMadeMap();
+    const instance_id_t id = addInstance(map, "chair", 2);
+    addBox(map, id, {0, 0, 0}, {16, 4, 4});
+    EXPECT_EQ(refined(map, handMadeRefinement()).splits, 0U);
+    for (int32_t x = 5; x < 11; ++x)
+        for (int32_t y = 0; y < 4; ++y)
+            for (int32_t z = 0; z < 4; ++z)
+                map.blocks().at(blockOf({x, y, z})).setOccupancy(cellOf({x, y, z}), -1000);
+    EXPECT_EQ(refined(map, handMadeRefinement()).splits, 1U);
+}
+
 TEST(RefinementDivides, OnlySizeableParts)
 {
     const auto splits = [](const RefinementOptions& options) {
@@ -183,6 +212,25 @@ TEST(RefinementMerges, NotWhatIsNotConnected)
     options.continuity = false;
     EXPECT_EQ(refined(map, options).merges, 1U);
     EXPECT_EQ(map.instance(1).voxels, 189U);
+}
+
+TEST(RefinementMerges, ScrapsOnlyWhereTheyTouch)
+{
+    // Both are in the voxels of a cube that *unknown* wins; each wins three voxels besides, too few
+    // to be dense anywhere.
+    const auto merges = [](int32_t apart) {
+        SemanticVoxelMap map = handMadeMap();
+        const instance_id_t a = addInstance(map, "chair"), b = addInstance(map, "chair");
+        for (const instance_id_t id : {a, b}) addBox(map, id, {0, 0, 0}, {4, 4, 4});
+        addBox(map, UNKNOWN_INSTANCE, {0, 0, 0}, {4, 4, 4}, 3);
+        addBox(map, a, {0, 20, 0}, {3, 1, 1});
+        addBox(map, b, {3 + apart, 20, 0}, {3, 1, 1});
+        return refined(map, handMadeRefinement()).merges;
+    };
+    EXPECT_EQ(merges(0), 1U);
+    EXPECT_EQ(merges(1), 1U) << "dbscan_eps is 2 voxels";
+    EXPECT_EQ(merges(2), 0U);
+    EXPECT_EQ(merges(100), 0U);
 }
 
 TEST(Refinement, TouchesNothingThatWasNotSeenLately)

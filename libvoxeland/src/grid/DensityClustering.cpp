@@ -10,8 +10,6 @@ namespace voxeland
 {
 namespace
 {
-constexpr int NOISE = -1;
-
 /** The numbers of a block's cells, from 1; 0: there is no such cell. */
 struct NumberedBlock
 {

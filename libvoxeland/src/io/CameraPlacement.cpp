@@ -23,8 +23,7 @@ constexpr double LEAST_VISIBLE = 0.2;
 
 bool isFree(const SemanticVoxelMap& map, const VoxelCoord& v)
 {
-    const log_odds_t occupancy = map.occupancy(v);
-    return occupancy != UNOBSERVED && !OccupancyFilter::isOccupied(occupancy);
+    return OccupancyFilter::isFree(map.occupancy(v));
 }
 
 /** What is looked at. */

@@ -39,7 +39,7 @@ TVector3D facingOf(const SemanticVoxelMap& map, const VoxelCoord& v)
                 const log_odds_t o = map.occupancy(v + VoxelCoord{x, y, z});
                 if (o == UNOBSERVED)
                     sum -= TVector3D(x, y, z);
-                else if (!OccupancyFilter::isOccupied(o))
+                else if (OccupancyFilter::isFree(o))
                     sum += TVector3D(x, y, z);
             }
     const double length = sum.norm();

@@ -4,6 +4,7 @@
 #include "voxeland/evidence/JensenShannon.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace voxeland
 {
@@ -60,6 +61,16 @@ void CategoryEvidence::add(category_id_t category, double beta)
 void CategoryEvidence::add(const CategoryEvidence& other, double scale)
 {
     for (const Entry& e : other.m_entries) add(e.category, scale * e.beta);
+}
+
+CategoryEvidence sharpened(const CategoryEvidence& distribution, double exponent)
+{
+    double sum = 0;
+    for (const auto& e : distribution.entries()) sum += std::pow(e.beta, exponent);
+    CategoryEvidence result;
+    for (const auto& e : distribution.entries())
+        result.add(e.category, std::pow(e.beta, exponent) / sum);
+    return result;
 }
 
 double semanticSimilarity(const CategoryEvidence& a, const CategoryEvidence& b)

@@ -20,6 +20,12 @@ std::vector<double> concentration(const SemanticVoxelMap& map, const Instance& i
     return beta;
 }
 
+/** Whether evidence for an instance counts as evidence for *unknown*. */
+bool isShownAsUnknown(const SemanticVoxelMap& map, instance_id_t instance)
+{
+    return instance == UNKNOWN_INSTANCE || map.isDismissed(instance);
+}
+
 /** Grows a summary by one voxel. */
 void extend(InstanceSummary& s, const mrpt::math::TPoint3D& center, double halfEdge, double entropy)
 {
@@ -67,7 +73,7 @@ double winnerProbability(const SemanticVoxelMap& map, const VoxelEvidence& evide
     const instance_id_t winner = map.winner(evidence);
     double forWinner = 0, total = 0;
     for (const auto& e : evidence) {
-        const bool isUnknown = map.isDismissed(e.instance);
+        const bool isUnknown = isShownAsUnknown(map, e.instance);
         if ((isUnknown ? UNKNOWN_INSTANCE : e.instance) == winner)
             forWinner += static_cast<double>(e.alpha);
         total += static_cast<double>(e.alpha);
@@ -77,8 +83,15 @@ double winnerProbability(const SemanticVoxelMap& map, const VoxelEvidence& evide
 
 double instanceEntropy(const SemanticVoxelMap& map, const VoxelEvidence& evidence)
 {
-    std::vector<double> alpha;
-    for (const auto& e : evidence) alpha.push_back(static_cast<double>(e.alpha));
+    std::vector<double> alpha(1, 0.0);  // that of *unknown* first
+    for (const auto& e : evidence) {
+        const auto a = static_cast<double>(e.alpha);
+        if (isShownAsUnknown(map, e.instance))
+            alpha.front() += a;
+        else
+            alpha.push_back(a);
+    }
+    if (alpha.front() == 0) alpha.erase(alpha.begin());
     return dirichletEntropy(alpha, map.options().entropy);
 }
 
@@ -117,9 +130,11 @@ std::map<instance_id_t, std::vector<VoxelCoord>> voxelsByWinner(const SemanticVo
                                                                 bool occupiedOnly)
 {
     std::map<instance_id_t, std::vector<VoxelCoord>> voxels;
-    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t,
-                         const VoxelEvidence& evidence) { voxels[map.winner(evidence)].push_back(v); },
-                     occupiedOnly);
+    map.forEachVoxel(
+        [&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
+            voxels[map.winner(evidence)].push_back(v);
+        },
+        occupiedOnly);
     return voxels;
 }
 

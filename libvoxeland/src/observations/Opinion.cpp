@@ -82,7 +82,7 @@ std::vector<OpinionVoxel> mainCluster(const VoxelizedFrame& frame, const RunLeng
                                         options.share * static_cast<double>(points)));
     const std::vector<int> clusters = clusterByDensity(coarse.cells, options.radius);
     const int main = heaviestCluster(coarse.cells, clusters);
-    if (main < 0) return {};
+    if (main == NOISE) return {};
     std::vector<OpinionVoxel> kept;
     for (size_t i = 0; i < voxels.size(); ++i)
         if (clusters[coarse.cellOfVoxel[i]] == main) kept.push_back(voxels[i]);

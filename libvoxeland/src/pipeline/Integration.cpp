@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace voxeland
 {
@@ -18,16 +19,60 @@ float specificity(const Opinion& o)
     return o.confidence / static_cast<float>(o.voxels.size());
 }
 
-/** A distribution raised to a power and normalized. */
-CategoryEvidence sharpened(const CategoryEvidence& distribution, double exponent)
+/** The opinions' numbers, those of greatest specificity first. */
+std::vector<size_t> mostSpecificFirst(const std::vector<Opinion>& opinions)
 {
-    double sum = 0;
-    for (const auto& e : distribution.entries()) sum += std::pow(e.beta, exponent);
-    CategoryEvidence result;
-    for (const auto& e : distribution.entries())
-        result.add(e.category, std::pow(e.beta, exponent) / sum);
-    return result;
+    std::vector<size_t> order(opinions.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+        return specificity(opinions[a]) > specificity(opinions[b]);
+    });
+    return order;
 }
+
+/** A voxel's points among the opinions that claim some: each gets its own, as in the paper, but
+ *  where claims exceed the points the excess is cut. Then claim c_i of specificity s_i gets
+ *  min(c_i, lambda c_i s_i), with the lambda that makes all points of the voxel (max-min fairness
+ *  with weights c_i s_i): the more specific a claim, the later it is cut. */
+class PointsToShare
+{
+ public:
+    explicit PointsToShare(const HitVoxel& hit) : m_points(hit.points), m_left(hit.points) {}
+
+    /** Tells of a claim. All are told before the first one is taken. */
+    void announce(float points, float specificity)
+    {
+        m_claimed += static_cast<double>(points);
+        m_weights += weightOf(points, specificity);
+    }
+
+    /** What a claim gets [points]. The most specific claim must be taken first. */
+    float take(float points, float specificity)
+    {
+        const double weight = weightOf(points, specificity);
+        const double fair = m_left * std::min(1.0, weight / m_weights);
+        const double taken = std::min(static_cast<double>(points), fair);
+        m_left -= taken;
+        m_weights -= weight;
+        return static_cast<float>(taken);
+    }
+
+    /** Points that no opinion claims. */
+    [[nodiscard]] float unclaimed() const
+    {
+        return static_cast<float>(std::max(0.0, m_points - m_claimed));
+    }
+
+ private:
+    static double weightOf(float points, float specificity)
+    {
+        return static_cast<double>(points) * static_cast<double>(specificity);
+    }
+
+    double m_points, m_left;  //!< of the voxel; not taken yet
+    double m_claimed = 0;
+    double m_weights = 0;  //!< of the claims not taken yet
+};
 
 /** Middle of an opinion's points [m]. */
 mrpt::math::TPoint3D middleOf(const Opinion& opinion, const std::vector<HitVoxel>& hits)
@@ -114,28 +159,22 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
 {
     const std::vector<HitVoxel>& hits = frame.voxels.hits();
     const std::vector<float> trust = trustInHits(frame);
-    std::vector<float> claimed(hits.size(), 0), weighted(hits.size(), 0);
+    std::vector<PointsToShare> toShare(hits.begin(), hits.end());
     for (const Opinion& o : frame.opinions)
-        for (const OpinionVoxel& v : o.voxels) {
-            claimed[v.hit] += v.points;
-            weighted[v.hit] += v.points * specificity(o);
-        }
+        for (const OpinionVoxel& v : o.voxels) toShare[v.hit].announce(v.points, specificity(o));
 
-    for (size_t i = 0; i < frame.opinions.size(); ++i) {
+    for (const size_t i : mostSpecificFirst(frame.opinions)) {
         const Opinion& o = frame.opinions[i];
-        for (const OpinionVoxel& v : o.voxels) {
-            const float available =
-                std::min(claimed[v.hit], static_cast<float>(hits[v.hit].points));
-            const float share = v.points * specificity(o) / weighted[v.hit];
-            map.addEvidence(hits[v.hit].coord, instances[i], available * share * trust[v.hit]);
-        }
+        for (const OpinionVoxel& v : o.voxels)
+            map.addEvidence(hits[v.hit].coord, instances[i],
+                            toShare[v.hit].take(v.points, specificity(o)) * trust[v.hit]);
     }
 
     const auto weight = static_cast<float>(unknownWeight);
     for (size_t h = 0; h < hits.size(); ++h) {
-        const float unclaimed = static_cast<float>(hits[h].points) - claimed[h];
-        if (unclaimed * weight > 0 && !isWonByAny(missed, hits[h].coord, map))
-            map.addEvidence(hits[h].coord, UNKNOWN_INSTANCE, unclaimed * weight * trust[h]);
+        const float unknown = toShare[h].unclaimed() * weight * trust[h];
+        if (unknown > 0 && !isWonByAny(missed, hits[h].coord, map))
+            map.addEvidence(hits[h].coord, UNKNOWN_INSTANCE, unknown);
     }
 }
 
@@ -148,7 +187,8 @@ void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
         Instance& instance = map.instance(instances[i]);
         instance.categories.add(sharpened(opinions[i].categories, sharpness),
                                 static_cast<double>(opinion.confidence));
-        if (instance.observations == 0) instance.firstFrame = frameNumber;
+        const bool isNew = instance.observations == 0 && instance.history.empty();
+        if (isNew) instance.firstFrame = frameNumber;
         instance.lastFrame = frameNumber;
         ++instance.observations;
         map.readmit(instance.id);
@@ -174,7 +214,7 @@ void recordViews(const PreparedFrame& frame, const std::vector<OpinionOverlaps>&
         view.probability = static_cast<float>(opinions[i].categories.betaOf(*category));
         view.camera = mrpt::math::TPoint3Df(frame.voxels.origin());
         view.target = mrpt::math::TPoint3Df(middleOf(opinion, frame.voxels.hits()));
-        map.instance(instances[i]).views.add(*category, view, map.options().views);
+        map.instance(instances[i]).views.add(*category, view, map.options().views_kept);
     }
 }
 }  // namespace voxeland

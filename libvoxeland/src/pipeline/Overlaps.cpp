@@ -56,7 +56,8 @@ void OverlapFinder::countVisible(const ObservedSpace& space, const SemanticVoxel
     }
 }
 
-std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, SemanticVoxelMap& map)
+std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, double sharpness,
+                                                 SemanticVoxelMap& map)
 {
     std::vector<OpinionOverlaps> result;
     countVisible(frame.space, map);
@@ -64,6 +65,7 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
         OpinionOverlaps overlaps;
         overlaps.opinion = &opinion;
         overlaps.categories = numbered(opinion.categories, map.categories());
+        const CategoryEvidence asEvidence = sharpened(overlaps.categories, sharpness);
         m_common.clear();
         m_touched.clear();
         uint32_t mapped = 0;
@@ -84,7 +86,7 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, Sem
             o.visibleVoxels = m_visible.of(id);
             o.mappedVoxels = mapped;
             o.touchedVoxels = m_touched.of(id);
-            o.similarity = semanticSimilarity(overlaps.categories, instance.evidence());
+            o.similarity = semanticSimilarity(asEvidence, instance.evidence());
             overlaps.candidates.push_back(o);
         }
         result.push_back(std::move(overlaps));

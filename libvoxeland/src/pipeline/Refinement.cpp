@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace voxeland
 {
@@ -43,7 +44,7 @@ std::vector<std::vector<VoxelCoord>> partsOf(const std::vector<WeightedCell>& vo
     const std::vector<int> clusters = clusterByDensity(voxels, radius);
     std::vector<std::vector<VoxelCoord>> parts;
     for (size_t i = 0; i < voxels.size(); ++i) {
-        if (clusters[i] < 0) continue;
+        if (clusters[i] == NOISE) continue;
         const auto c = static_cast<size_t>(clusters[i]);
         if (c >= parts.size()) parts.resize(c + 1);
         parts[c].push_back(voxels[i].coord);
@@ -116,21 +117,32 @@ std::vector<InstanceOverlap> overlapsOf(const SemanticVoxelMap& map,
     return overlaps;
 }
 
+/** The clusters that hold most of the voxels before `middle` and of those after it. */
+std::pair<int, int> mainClusters(const std::vector<WeightedCell>& voxels, std::ptrdiff_t middle,
+                                 int radius)
+{
+    const std::vector<int> clusters = clusterByDensity(voxels, radius);
+    return {heaviestCluster({voxels.begin(), voxels.begin() + middle},
+                            {clusters.begin(), clusters.begin() + middle}),
+            heaviestCluster({voxels.begin() + middle, voxels.end()},
+                            {clusters.begin() + middle, clusters.end()})};
+}
+
 /** Whether the main parts of two instances are one part once they are put together. */
 bool areConnected(const SemanticVoxelMap& map, const InstanceOverlap& overlap,
                   const RefinementOptions& options)
 {
     std::vector<WeightedCell> both = wonVoxels(map, overlap.a, options);
-    const size_t voxelsOfA = both.size();
+    const auto middle = static_cast<std::ptrdiff_t>(both.size());
     const auto ofB = wonVoxels(map, overlap.b, options);
     both.insert(both.end(), ofB.begin(), ofB.end());
-    if (voxelsOfA == 0 || ofB.empty()) return true;  // nothing of one is left to lie apart
-    const std::vector<int> clusters = clusterByDensity(both, options.dbscan_eps);
-    const auto middle = static_cast<std::ptrdiff_t>(voxelsOfA);
-    const int mainOfA = heaviestCluster({both.begin(), both.begin() + middle},
-                                        {clusters.begin(), clusters.begin() + middle});
-    const int mainOfB = heaviestCluster({both.begin() + middle, both.end()},
-                                        {clusters.begin() + middle, clusters.end()});
+    if (middle == 0 || ofB.empty()) return true;  // nothing of one is left to lie apart
+    auto [mainOfA, mainOfB] = mainClusters(both, middle, options.dbscan_eps);
+    if (mainOfA == NOISE || mainOfB == NOISE) {
+        // A scrap too thin to be dense anywhere belongs to what it touches.
+        for (WeightedCell& voxel : both) voxel.coreWeight = voxel.weight;
+        std::tie(mainOfA, mainOfB) = mainClusters(both, middle, options.dbscan_eps);
+    }
     return mainOfA == mainOfB;
 }
 

@@ -103,7 +103,7 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
     std::vector<Assignment> assignments;
     {
         const StageTimer timer(frame.times, Stage::association);
-        opinions = m_overlaps.find(frame, map);
+        opinions = m_overlaps.find(frame, m_config.integration.sharpness, map);
         assignments = m_config.association->associate(opinions, map);
         checkAssignments(assignments, opinions.size(), map, *m_config.association);
     }

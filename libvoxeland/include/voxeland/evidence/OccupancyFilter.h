@@ -41,6 +41,8 @@ class OccupancyFilter
     static double probability(log_odds_t value);
     /** Whether occupied is more likely than free; false for UNOBSERVED. */
     static bool isOccupied(log_odds_t value) { return value > 0; }
+    /** Whether free is more likely than occupied; false for UNOBSERVED. */
+    static bool isFree(log_odds_t value) { return value < 0 && value != UNOBSERVED; }
     /** Nearest representable log-odds of a probability in (0,1). */
     static log_odds_t fromProbability(double probability);
 

@@ -15,6 +15,9 @@ struct WeightedCell
         1;  //!< weight within the neighbourhood (itself included) that makes it a core
 };
 
+/** Number of the cluster of cells that are in none. */
+inline constexpr int NOISE = -1;
+
 /** Density-based clustering (DBSCAN; Ester et al., 1996) on the cells of a grid instead of on raw
  *  points: the neighbourhood of a cell is the cube of +-`radius` cells around it. A cell reached
  *  from no core is noise.
@@ -23,9 +26,9 @@ struct WeightedCell
  *  cluster claims a border cell.
  *
  *  \param cells distinct coordinates
- *  \return per cell the number of its cluster, from 0 in order of first core, or -1 for noise */
+ *  \return per cell the number of its cluster, from 0 in order of first core, or NOISE */
 std::vector<int> clusterByDensity(const std::vector<WeightedCell>& cells, int radius);
 
-/** The cluster with most weight (the first among equals), or -1 if all is noise. */
+/** The cluster with most weight (the first among equals), or NOISE if all cells are. */
 int heaviestCluster(const std::vector<WeightedCell>& cells, const std::vector<int>& clusters);
 }  // namespace voxeland

@@ -61,6 +61,10 @@ class CategoryEvidence
     std::vector<Entry> m_entries;
 };
 
+/** A distribution raised to a power and normalized: the greater the exponent, the more of it goes
+ * to the most probable category. */
+CategoryEvidence sharpened(const CategoryEvidence& distribution, double exponent);
+
 /** Semantic similarity S_sem = 1 - JSD of the two means, in [0,1] (paper, "Data Association";
  * base-2 logarithms). 0 if either has no evidence. */
 double semanticSimilarity(const CategoryEvidence& a, const CategoryEvidence& b);

@@ -16,8 +16,11 @@ class OverlapFinder
 {
  public:
     /** One entry per opinion, in the same order; the frame must outlive them. New category names
-     * are added to the map's table. */
-    std::vector<OpinionOverlaps> find(const PreparedFrame& frame, SemanticVoxelMap& map);
+     * are added to the map's table.
+     * \param sharpness exponent of category probabilities before they count as evidence: semantic
+     * similarity compares the opinion with the instance as evidence of both */
+    std::vector<OpinionOverlaps> find(const PreparedFrame& frame, double sharpness,
+                                      SemanticVoxelMap& map);
 
     /** Instances that the detector most likely missed: after find(), those of which the frame shows
      * more than a share of the voxels though none of its opinions is about them. Cost: the
