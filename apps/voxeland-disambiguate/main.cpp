@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Asks a back-end about the objects of a map whose category is uncertain. */
 #include "common/CommandLine.h"
+#include "common/Interruption.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "voxeland/counted.h"
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -69,14 +69,6 @@ struct Arguments : apps::CommandLine
         "FILE.rawlog", parser()};
     TCLAP::ValueArg<std::string> map{"m", "map", "Map to read", true, "", "MAP.voxeland", parser()};
 };
-
-volatile std::sig_atomic_t interrupted = 0;
-
-extern "C" void onInterrupt(int)
-{
-    interrupted = 1;
-    std::signal(SIGINT, SIG_DFL);  // a second one ends the program at once
-}
 
 Ini configuration(Arguments& arguments, const CVoxelandMap& map)
 {
@@ -166,7 +158,7 @@ void sayTooSmall(const SemanticVoxelMap& map, const DisambiguationOptions& optio
     std::cout.flush();
     std::cerr << "\nvoxeland-disambiguate: interrupted; keeping " << counted(answered, "answer")
               << ": run the same command again to go on\n";
-    std::_Exit(130);
+    std::_Exit(apps::INTERRUPTED);
 }
 
 /** Asks all questions; the map is saved whenever answers have come. \return what came of them */
@@ -177,7 +169,7 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
     for (const DisambiguationQuestion& q : questions) report.before(map.map(), q.instance);
     apps::Progress progress("questions", questions.size(), !arguments.quiet());
     size_t done = 0;
-    std::signal(SIGINT, onInterrupt);
+    const apps::Interruption interruption;
     Asking asking(config.disambiguator, std::move(questions), config.disambiguation);
     while (auto outcomes = asking.next()) {
         for (QuestionOutcome& o : *outcomes) {
@@ -187,9 +179,8 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
         }
         if (!outcomes->empty()) saveMap(map, arguments.output.getValue());
         progress.update(done);
-        if (interrupted != 0) endInterrupted(done);
+        if (interruption.wasRequested()) endInterrupted(done);
     }
-    std::signal(SIGINT, SIG_DFL);
     if (arguments.report.isSet())
         writeAtomically(arguments.report.getValue(),
                         [&](std::ostream& out) { out << report.asJson(map.map()); });
