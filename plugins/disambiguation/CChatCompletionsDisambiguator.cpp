@@ -46,9 +46,10 @@ bool isWorthRetrying(long status)
 }
 
 /** Something that waiting does not help, although the status says so. */
-bool isOutOfCredit(const std::string& reply)
+bool isHopeless(const std::string& reply)
 {
-    return reply.find("insufficient_quota") != std::string::npos;
+    return reply.find("insufficient_quota") != std::string::npos ||
+           remedyFor(serverMessage(reply)).has_value();
 }
 }  // namespace
 
@@ -195,7 +196,7 @@ HttpReply CChatCompletionsDisambiguator::postPatiently(HttpRequest& request) con
     for (uint32_t attempt = 0;; ++attempt) {
         try {
             HttpReply reply = post(request);
-            if (!isWorthRetrying(reply.status) || isOutOfCredit(reply.body)) return reply;
+            if (!isWorthRetrying(reply.status) || isHopeless(reply.body)) return reply;
             if (!waitToRetry(attempt, reply.retryAfter)) return reply;
         } catch (const HttpError& e) {
             using Kind = HttpError::Kind;
@@ -227,7 +228,11 @@ bool CChatCompletionsDisambiguator::waitToRetry(uint32_t attempt,
 DisambiguationError CChatCompletionsDisambiguator::refusal(const HttpReply& reply) const
 {
     const std::string status = std::to_string(reply.status);
-    const std::string said = "(" + status + "): " + serverMessage(reply.body);
+    constexpr size_t LONGEST = 120;
+    std::string message = withoutKey(serverMessage(reply.body));
+    if (message.back() == '.') message.pop_back();  // the sentence goes on
+    const std::string said = "(" + status + "): " + shortened(message, LONGEST);
+    const auto remedy = remedyFor(message);
     switch (reply.status) {
         case 401:
             return {sentence(m_keyVariable.empty()
@@ -252,17 +257,16 @@ DisambiguationError CChatCompletionsDisambiguator::refusal(const HttpReply& repl
                 return {sentence("redirects (" + status + ") to '" + reply.location +
                                  "': if that is right, make it the base_url"),
                         true};
-            return {sentence((reply.status >= 500 ? "failed " : "refuses the question ") + said),
-                    reply.status == 503};
+            return {sentence((reply.status >= 500 ? "failed " : "refuses the question ") + said +
+                             (remedy ? ": " + remedy->clause : "")),
+                    reply.status == 503 || (remedy && remedy->concernsAll)};
     }
 }
 
 std::string CChatCompletionsDisambiguator::sentence(const std::string& clause) const
 {
-    constexpr size_t LONGEST = 400;
-    std::string text = withoutKey("server " + m_url + " " + clause);
-    if (text.size() > LONGEST) text = text.substr(0, LONGEST) + "...";
-    return text;
+    constexpr size_t LONGEST = 250;  // more may be said after it
+    return shortened(withoutKey("server " + m_url + " " + clause), LONGEST);
 }
 
 std::string CChatCompletionsDisambiguator::withoutKey(std::string text) const

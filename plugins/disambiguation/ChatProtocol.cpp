@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChatProtocol.h"
 
+#include "voxeland/disambiguation/Thoughts.h"
 #include "voxeland/trimmed.h"
 
 #include <mrpt/system/string_utils.h>
 
 #include <algorithm>
+#include <cstring>
+#include <sstream>
 
 namespace voxeland
 {
@@ -32,16 +35,6 @@ bool removeEnd(std::string& text, const std::string& end)
     return true;
 }
 
-/** Some servers leave what a model thinks before it answers in the answer. */
-std::string withoutThoughts(const std::string& text)
-{
-    static const std::string BEGIN = "<think>", END = "</think>";
-    const size_t end = text.rfind(END);
-    if (end != std::string::npos) return trimmed(text.substr(end + END.size()));
-    const std::string all = trimmed(text);
-    return all.compare(0, BEGIN.size(), BEGIN) == 0 ? std::string() : all;
-}
-
 /** The words of a message, which are a text or a list of parts. */
 std::string words(const json& content)
 {
@@ -61,11 +54,99 @@ std::string textMember(const json& object, const char* name)
     return object[name].get<std::string>();
 }
 
+/** First element of a list that is one; null if there is none. */
+json firstMember(const json& object, const char* name)
+{
+    const json list = object.is_object() ? object.value(name, json()) : json();
+    return list.is_array() && !list.empty() ? list.front() : json();
+}
+
 uint64_t countMember(const json& object, const char* name)
 {
     if (!object.is_object() || !object.contains(name) || !object[name].is_number_unsigned())
         return 0;
     return object[name].get<uint64_t>();
+}
+/** What a model thought before it answered, where servers keep that apart. */
+std::string reasoningOf(const json& message)
+{
+    const std::string thoughts = textMember(message, "reasoning_content");
+    return thoughts.empty() ? textMember(message, "reasoning") : thoughts;
+}
+
+/** A reply that came in pieces although that was not asked for, as the lines "data: {...}" of a
+ * stream, in one piece; any other as it is. */
+json wholeReply(const std::string& reply)
+{
+    const json body = json::parse(reply, nullptr, false);
+    if (!body.is_discarded()) return body;
+    static const std::string DATA = "data:";
+    json whole = json::object(), choice = json::object();
+    std::string content, reasoning;
+    std::istringstream lines(reply);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.compare(0, DATA.size(), DATA) != 0) continue;
+        const json piece = json::parse(line.substr(DATA.size()), nullptr, false);
+        if (!piece.is_object()) continue;
+        for (const char* name : {"model", "usage", "error"})
+            if (piece.contains(name) && !piece[name].is_null()) whole[name] = piece[name];
+        const json part = firstMember(piece, "choices");
+        if (!part.is_object()) continue;
+        const json delta = part.value("delta", json());
+        content += textMember(delta, "content");
+        reasoning += reasoningOf(delta);
+        choice["finish_reason"] = part.value("finish_reason", json());
+        choice["message"] = {{"content", content}, {"reasoning", reasoning}};
+    }
+    if (choice.empty() && !whole.contains("error")) return body;
+    if (!choice.empty()) whole["choices"] = json::array({choice});
+    return whole;
+}
+
+/** Why there is no answer in a message. */
+std::string emptiness(const json& choice)
+{
+    const std::string reason = textMember(choice, "finish_reason");
+    if (reason == "length")
+        return "reached max_tokens before it answered: raise [disambiguation] max_tokens, or what "
+               "the server allows";
+    if (reason == "content_filter") return "withheld the answer (content_filter)";
+    if (reason == "tool_calls" || !firstMember(choice["message"], "tool_calls").is_null())
+        return "called a tool instead of answering: switch its tools off, or take another model";
+    return "sent an empty answer";
+}
+
+/** The words of a page without its tags, style and scripts; any other text as it is. */
+std::string withoutTags(const std::string& page)
+{
+    if (page.compare(0, 1, "<") != 0) return page;
+    std::string text;
+    for (size_t at = 0; at < page.size();) {
+        const size_t begin = std::min(page.size(), page.find('<', at));
+        text += page.substr(at, begin - at) + " ";
+        at = begin;
+        for (const char* whole : {"<style", "<script"})
+            if (page.compare(begin, std::strlen(whole), whole) == 0)
+                at = std::min(page.size(), page.find("</", begin));
+        at = std::min(page.size(), page.find('>', at));
+        if (at < page.size()) ++at;
+    }
+    return text;
+}
+
+/** In one line, each run of blanks one. */
+std::string oneLine(const std::string& text)
+{
+    std::string line;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool isBlank = byte <= 0x20 || byte == 0x7f;
+        if (!isBlank)
+            line += c;
+        else if (!line.empty() && line.back() != ' ')
+            line += ' ';
+    }
+    return trimmed(line);
 }
 }  // namespace
 
@@ -106,38 +187,39 @@ bool adaptRequest(json& request, const std::string& error)
 {
     const json reply = json::parse(error, nullptr, false);
     const json details = reply.is_object() ? reply.value("error", json()) : json();
-    const std::string parameter = textMember(details, "param");
-    if (parameter == "max_tokens" && request.contains(parameter) &&
-        textMember(details, "message").find("max_completion_tokens") != std::string::npos)
-    {
-        request["max_completion_tokens"] = request[parameter];
-        request.erase(parameter);
+    const std::string parameter = textMember(details, "param"), message = serverMessage(error);
+    const auto concerns = [&](const std::string& name) {
+        const bool isNamed =
+            parameter.empty() ? message.find(name) != std::string::npos : parameter == name;
+        return isNamed && request.contains(name);
+    };
+    if (concerns("max_tokens") && message.find("max_completion_tokens") != std::string::npos) {
+        request["max_completion_tokens"] = request["max_tokens"];
+        request.erase("max_tokens");
         return true;
     }
-    return parameter == "temperature" && request.erase(parameter) > 0;
+    return concerns("temperature") && request.erase("temperature") > 0;
 }
 
 DisambiguationAnswer chatAnswer(const std::string& reply)
 {
-    const json body = json::parse(reply, nullptr, false);
+    const json body = wholeReply(reply);
     if (body.is_discarded())
         throw std::runtime_error("sent no valid JSON: " + serverMessage(reply));
     if (!body.is_object() || !body.contains("choices"))
-        throw std::runtime_error("sent no chat completion: " + serverMessage(reply));
-    const json& choices = body["choices"];
-    if (!choices.is_array() || choices.empty() || !choices[0].is_object() ||
-        !choices[0].contains("message") || !choices[0]["message"].is_object())
+        throw std::runtime_error("sent no chat completion: " + serverMessage(body.dump()));
+    const json choice = firstMember(body, "choices");
+    if (!choice.is_object() || !choice.contains("message") || !choice["message"].is_object())
         throw std::runtime_error("sent a chat completion without a message");
 
-    const json& message = choices[0]["message"];
+    const json& message = choice["message"];
+    const bool isCutOff = textMember(choice, "finish_reason") == "length";
     DisambiguationAnswer answer;
     answer.text = withoutThoughts(words(message.value("content", json())));
     if (answer.text.empty()) answer.text = trimmed(textMember(message, "refusal"));
-    if (answer.text.empty())
-        throw std::runtime_error(
-            textMember(choices[0], "finish_reason") == "length"
-                ? "reached max_tokens before it answered: raise [disambiguation] max_tokens"
-                : "sent an empty answer");
+    if (answer.text.empty() && !isCutOff) answer.text = withoutThoughts(reasoningOf(message));
+    if (answer.text.empty()) throw std::runtime_error(emptiness(choice));
+    if (isCutOff) answer.text += " [cut off by max_tokens]";
     answer.model = textMember(body, "model");
     const json usage = body.value("usage", json());
     answer.promptTokens = countMember(usage, "prompt_tokens");
@@ -147,7 +229,8 @@ DisambiguationAnswer chatAnswer(const std::string& reply)
 
 std::string serverMessage(const std::string& reply)
 {
-    const json body = json::parse(reply, nullptr, false);
+    json body = json::parse(reply, nullptr, false);
+    if (body.is_array() && !body.empty()) body = json(body.front());  // Gemini
     std::string message;
     if (body.is_object()) {
         // OpenAI, llama.cpp and new vLLM; Ollama's own errors; old vLLM; web frameworks.
@@ -157,10 +240,42 @@ std::string serverMessage(const std::string& reply)
               textMember(body, "detail")})
             if (message.empty()) message = candidate;
     }
-    if (message.empty()) message = reply;
-    constexpr auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-    std::replace_if(message.begin(), message.end(), isControl, ' ');
-    message = trimmed(message);
+    message = oneLine(message.empty() ? withoutTags(trimmed(reply)) : message);
     return message.empty() ? "nothing" : message;
+}
+
+std::optional<Remedy> remedyFor(const std::string& message)
+{
+    static const Remedy BLIND = {"choose a model that takes pictures", true};
+    static const Remedy FEWER = {
+        "lower [disambiguation] views_per_category, max_categories or picture_size", false};
+    static const std::pair<const char*, const Remedy*> SYMPTOMS[] = {
+        {"mmproj", &BLIND},  // llama.cpp
+        {"image input is not supported", &BLIND},
+        {"cannot unmarshal array", &BLIND},  // Ollama
+        {"unknown variant `image_url`", &BLIND},
+        {"image_url is only supported", &BLIND},
+        {"not a multimodal model", &BLIND},  // vLLM
+        {"not support image", &BLIND},
+        {"support image input", &BLIND},       // "no endpoints found that support image input"
+        {"image(s) may be provided", &FEWER},  // vLLM
+        {"too many images", &FEWER},
+        {"many pictures", &FEWER},
+        {"context length", &FEWER},
+        {"context size", &FEWER},
+        {"context window", &FEWER},
+    };
+    for (const auto& [symptom, remedy] : SYMPTOMS)
+        if (message.find(symptom) != std::string::npos) return *remedy;
+    return std::nullopt;
+}
+
+std::string shortened(const std::string& text, size_t longest)
+{
+    constexpr unsigned IS_WITHIN = 0xc0, WITHIN = 0x80;  // a character of UTF-8
+    if (text.size() <= longest) return text;
+    while (longest > 0 && (static_cast<unsigned char>(text[longest]) & IS_WITHIN) == WITHIN)
+        --longest;
+    return trimmed(text.substr(0, longest)) + "...";
 }
 }  // namespace voxeland

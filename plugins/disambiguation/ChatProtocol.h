@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 
 /** \file
@@ -37,7 +38,18 @@ bool adaptRequest(nlohmann::json& request, const std::string& error);
  *  \throws std::runtime_error with a clause that says what is wrong with the reply */
 DisambiguationAnswer chatAnswer(const std::string& reply);
 
-/** What a server says is wrong: its own words, or the beginning of whatever it sent, in one line.
- */
+/** What a server says is wrong: its own words, or whatever it sent without tags, in one line. */
 std::string serverMessage(const std::string& reply);
+
+/** What helps against a server's message. */
+struct Remedy
+{
+    std::string clause;
+    bool concernsAll = false;  //!< whether no other question would escape
+};
+/** None if the message is not one that is known. */
+std::optional<Remedy> remedyFor(const std::string& message);
+
+/** The beginning of a text, of so many bytes at most, and "..." if that is not all. */
+std::string shortened(const std::string& text, size_t longest);
 }  // namespace voxeland

@@ -211,6 +211,13 @@ TEST_F(ChatCompletions, answersAreReadWhateverTheirForm)
 {
     EXPECT_EQ(answerOf(asking("parts")), "The object category is chair.");
     EXPECT_EQ(answerOf(asking("thinking")), "The object category is chair.");
+    EXPECT_EQ(answerOf(asking("reasoning")), "The object category is chair");
+    EXPECT_EQ(answerOf(asking("refusal")), "I cannot help");
+    EXPECT_EQ(answerOf(asking("cut-off")), "The object category is dini [cut off by max_tokens]");
+    const auto streamed = asking("stream")->ask(couchOrChair());
+    EXPECT_EQ(streamed->text, "The object category is chair.");
+    EXPECT_EQ(streamed->model, "s");
+    EXPECT_EQ(streamed->promptTokens, 9U);
     const auto uncounted = asking("uncounted")->ask(couchOrChair());
     EXPECT_EQ(uncounted->text, "chair");
     EXPECT_EQ(uncounted->model, "m") << "as configured, where the server does not say";
@@ -223,6 +230,8 @@ TEST_F(ChatCompletions, refusedFieldsAreAdapted)
     EXPECT_EQ(request(2)["max_completion_tokens"], 50);
     EXPECT_NO_THROW(answerOf(asking("no-temperature", "temperature = 0\n")));
     EXPECT_FALSE(request(4).contains("temperature"));
+    EXPECT_NO_THROW(answerOf(asking("no-temperature-in-words", "temperature = 0\n")));
+    EXPECT_FALSE(request(6).contains("temperature"));
 }
 
 TEST_F(ChatCompletions, refusalsThatNoOtherQuestionWouldEscape)
@@ -234,21 +243,38 @@ TEST_F(ChatCompletions, refusalsThatNoOtherQuestionWouldEscape)
     expectError(errorOf(asking("429-long")), true, "too many requests");
     expectError(errorOf(asking("redirect")), true, "http://127.0.0.1:9/elsewhere");
     expectError(errorOf(asking("no-such-behaviour")), true, "nothing at");
-    EXPECT_EQ(requests(), 7U) << "no second attempt";
+    expectError(errorOf(asking("list-error")), true, "(404): models/m is not found");
+    expectError(errorOf(asking("no-projector")), true, "choose a model that takes pictures");
+    EXPECT_EQ(requests(), 9U) << "no second attempt";
     expectError(errorOf(asking("401", "api_key_env =\n")), true, "api_key_env");
 }
 
 TEST_F(ChatCompletions, refusalsOfOneQuestion)
 {
     expectError(errorOf(asking("400")), false, "too many pictures");
-    expectError(errorOf(asking("garbage")), false, "no valid JSON: <html>hello</html>");
+    expectError(errorOf(asking("garbage")), false, "no valid JSON: hello");
     expectError(errorOf(asking("half")), false, "no valid JSON");
     expectError(errorOf(asking("no-choices")), false, "without a message");
     expectError(errorOf(asking("error-in-200")), false, "out of memory");
     expectError(errorOf(asking("empty-answer")), false, "empty answer");
     expectError(errorOf(asking("null-answer")), false, "empty answer");
     expectError(errorOf(asking("cut-short")), false, "raise [disambiguation] max_tokens");
-    EXPECT_EQ(requests(), 8U) << "no second attempt";
+    expectError(errorOf(asking("reasoning-cut")), false, "raise [disambiguation] max_tokens");
+    expectError(errorOf(asking("filtered")), false, "content_filter");
+    expectError(errorOf(asking("tool")), false, "called a tool");
+    expectError(errorOf(asking("stream-error")), false, "sent no chat completion: out of memory");
+    expectError(errorOf(asking("one-picture")), false,
+                "in one request: lower [disambiguation] views_per_category");
+    EXPECT_EQ(requests(), 13U) << "no second attempt";
+}
+
+TEST_F(ChatCompletions, aPageIsReadWithoutItsTagsAndALongMessageIsCutBetweenCharacters)
+{
+    expectError(errorOf(asking("page", "retries = 0\n")), false,
+                "failed (502): 502 Bad Gateway Bad Gateway");
+    const std::string chatty = errorOf(asking("chatty")).what();
+    EXPECT_LT(chatty.size(), 300U);
+    EXPECT_EQ(chatty.substr(chatty.size() - 5), "\u00e4...") << chatty;
 }
 
 TEST_F(ChatCompletions, asksAgainWhereThatMayHelp)

@@ -123,6 +123,13 @@ std::string httpDate(std::time_t time)
     return text;
 }
 
+std::string repeated(const std::string& text, int times)
+{
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+}
+
 using Behaviour = std::function<void(Connection&, const Request&)>;
 
 void answerHonestly(Connection& client, const Request& request)
@@ -136,6 +143,14 @@ Behaviour say(const json& content)
 {
     return [content](Connection& client, const Request&) {
         client.answer(200, completion(content).dump());
+    };
+}
+
+/** A completion whose only choice is this. */
+Behaviour choose(const json& choice)
+{
+    return [choice](Connection& client, const Request&) {
+        client.answer(200, json{{"choices", {choice}}}.dump());
     };
 }
 
@@ -215,6 +230,49 @@ const std::map<std::string, Behaviour>& behaviours()
         {"/uncounted", reply(200, R"({"choices": [{"message": {"content": "chair"}}]})")},
         {"/cut-short", reply(200, R"({"choices": [{"finish_reason": "length",
                                       "message": {"content": "<think>Hm"}}]})")},
+        {"/cut-off", choose({{"finish_reason", "length"},
+                             {"message", {{"content", "The object category is dini"}}}})},
+        {"/reasoning",
+         choose({{"finish_reason", "stop"},
+                 {"message",
+                  {{"content", nullptr}, {"reasoning_content", "The object category is chair"}}}})},
+        {"/reasoning-cut",
+         choose(
+             {{"finish_reason", "length"},
+              {"message", {{"content", nullptr}, {"reasoning", "The object category is chair"}}}})},
+        {"/refusal", choose({{"finish_reason", "stop"},
+                             {"message", {{"content", nullptr}, {"refusal", "I cannot help"}}}})},
+        {"/filtered",
+         choose({{"finish_reason", "content_filter"}, {"message", {{"content", ""}}}})},
+        {"/tool",
+         choose({{"finish_reason", "tool_calls"},
+                 {"message",
+                  {{"content", nullptr}, {"tool_calls", {{{"function", {{"name", "look"}}}}}}}}})},
+        {"/stream",
+         reply(200,
+               ": comment\n\ndata: {\"model\": \"s\", \"choices\": [{\"delta\": {\"role\": "
+               "\"assistant\"}}]}\n\ndata: {\"choices\": [{\"delta\": {\"content\": \"The object "
+               "category\"}}]}\n\ndata: {\"choices\": [{\"delta\": {\"content\": \" is "
+               "chair.\"}, \"finish_reason\": \"stop\"}], \"usage\": {\"prompt_tokens\": 9, "
+               "\"completion_tokens\": 4}}\n\ndata: [DONE]\n\n")},
+        {"/stream-error", reply(200, "data: {\"error\": {\"message\": \"out of memory\"}}\n\n")},
+        {"/page", reply(502,
+                        "<!DOCTYPE html>\n<html><head><title>502 Bad Gateway</title><style>b {a: "
+                        "b > c}</style></head>\n<body><h1>Bad  Gateway</h1></body></html>\n")},
+        {"/list-error", reply(404, json::array({errorObject("models/m is not found")}).dump())},
+        {"/no-projector", reply(500, errorObject("image input is not supported - hint: if this is "
+                                                 "unexpected, you may need to provide the mmproj")
+                                         .dump())},
+        {"/one-picture", reply(400, R"({"object": "error", "message":
+             "At most 1 image(s) may be provided in one request."})")},
+        {"/chatty", reply(400, errorObject("a" + repeated("\u00e4", 400)).dump())},
+        {"/no-temperature-in-words",
+         [](Connection& client, const Request& request) {
+             if (json::parse(request.body).contains("temperature"))
+                 client.answer(400, errorObject("temperature is not supported").dump());
+             else
+                 answerHonestly(client, request);
+         }},
         {"/broken-off",
          [](Connection& client, const Request&) { client.answer(200, "{", "", 100); }},
         {"/broken-off-once",
