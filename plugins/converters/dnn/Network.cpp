@@ -3,6 +3,7 @@
 
 #include "OnnxFile.h"
 #include "voxeland/errors.h"
+#include "voxeland/joined.h"
 
 #include <opencv2/core/utils/logger.hpp>
 
@@ -29,18 +30,35 @@ class SilentOpenCV
     logging::LogLevel m_before;
 };
 
-const char* const REMEDY = ": export it anew with opset=12 simplify=True, or use a newer OpenCV";
+/** What to do about a model that OpenCV cannot use.
+ *  \param options those of Ultralytics' export that may help */
+std::string remedy(std::vector<std::string> options)
+{
+    options.insert(options.end(), {"opset=12", "simplify=True"});
+    return ": export it anew with " + joined(options, " ") + ", or use a newer OpenCV";
+}
+
+/** Weights as they were trained are no network that OpenCV reads. */
+void checkExported(const std::string& model)
+{
+    const std::string extension = std::filesystem::path(model).extension().string();
+    for (const char* trained : {".pt", ".pth", ".safetensors", ".torchscript"})
+        if (extension == trained)
+            throw InputError("the model '" + model + "' is not exported: yolo export model=" +
+                             std::filesystem::path(model).filename().string() +
+                             " format=onnx opset=12 simplify=True makes an .onnx of it");
+}
 
 /** Why a model cannot be loaded: OpenCV reports over several lines, this is one sentence. */
-InputError loadFailure(const std::string& model, const cv::Exception& e)
+InputError loadFailure(const std::string& model, const cv::Exception& e, const std::string& remedy)
 {
     const std::string opencv = "OpenCV " + cv::getVersionString();
     std::smatch found;
     if (std::regex_search(e.err, found, std::regex(R"(Node \[([^\]@]+))")))
         return InputError("the model '" + model + "' has an operation '" + found.str(1) +
-                          "' that " + opencv + " lacks or cannot do this way" + REMEDY);
+                          "' that " + opencv + " lacks or cannot do this way" + remedy);
     return InputError(opencv + " cannot use the model '" + model +
-                      "': " + e.err.substr(0, e.err.find('\n')));
+                      "': " + e.err.substr(0, e.err.find('\n')) + remedy);
 }
 
 /** Name and type of the first layer that fails on the input that was set; empty if none does. */
@@ -62,15 +80,16 @@ std::string firstFailingLayer(cv::dnn::Net& net)
 }
 
 /** Why a model cannot be run on the input that was set, in one sentence. */
-InputError runFailure(const std::string& model, cv::dnn::Net& net, const cv::Exception& e)
+InputError runFailure(const std::string& model, cv::dnn::Net& net, const cv::Exception& e,
+                      const std::string& remedy)
 {
     const std::string opencv = "OpenCV " + cv::getVersionString();
     const std::string layer = firstFailingLayer(net);
     if (!layer.empty())
         return InputError(opencv + " cannot do the operation " + layer + " of the model '" + model +
-                          "'" + REMEDY);
+                          "'" + remedy);
     return InputError(opencv + " cannot run the model '" + model +
-                      "': " + e.err.substr(0, e.err.find('\n')));
+                      "': " + e.err.substr(0, e.err.find('\n')) + remedy);
 }
 }  // namespace
 
@@ -110,18 +129,20 @@ Network::Network(const NetworkFiles& files, const NetworkDevice& device) : m_mod
 {
     if (!std::filesystem::is_regular_file(m_model))
         throw InputError("there is no model '" + m_model + "'");
+    checkExported(m_model);
     const SilentOpenCV silent;
     try {
         if (std::filesystem::path(m_model).extension() == ".onnx") {
             OnnxFile onnx(m_model);
             m_inputSize = onnx.input;
             m_classNames = std::move(onnx.classNames);
+            m_remedy = remedy(std::move(onnx.exportOptions));
             m_net = cv::dnn::readNetFromONNX(onnx.bytes);
         } else {
             m_net = cv::dnn::readNet(m_model, files.config);
         }
     } catch (const cv::Exception& e) {
-        throw loadFailure(m_model, e);
+        throw loadFailure(m_model, e, m_remedy);
     }
     choose(device);
 }
@@ -170,7 +191,7 @@ std::vector<NetworkOutput> Network::run(const cv::Mat& images, std::vector<std::
             outputs.push_back({names[i], tensors[i].clone()});  // the next run writes to the same
         }
     } catch (const cv::Exception& e) {
-        throw runFailure(m_model, m_net, e);
+        throw runFailure(m_model, m_net, e, m_remedy);
     }
     return outputs;
 }

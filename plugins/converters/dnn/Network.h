@@ -68,6 +68,7 @@ class Network
     void choose(const NetworkDevice& device);
 
     std::string m_model;
+    std::string m_remedy;  //!< what to do if OpenCV cannot use it
     mutable std::mutex m_mutex;
     mutable cv::dnn::Net m_net;  //!< running it changes it
     cv::Size m_inputSize;

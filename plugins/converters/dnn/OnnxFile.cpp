@@ -4,6 +4,8 @@
 #include "ProtobufFields.h"
 #include "voxeland/errors.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -30,32 +32,81 @@ std::string_view find(std::string_view message, std::initializer_list<uint64_t> 
 
 // Numbers of the fields, from onnx.proto.
 constexpr uint64_t MODEL_GRAPH = 7, MODEL_METADATA = 14, METADATA_KEY = 1, METADATA_VALUE = 2;
-constexpr uint64_t GRAPH_INPUT = 11, INPUT_TYPE = 2, TYPE_TENSOR = 1, TENSOR_SHAPE = 2;
+constexpr uint64_t GRAPH_NODE = 1, GRAPH_INITIALIZER = 5, GRAPH_INPUT = 11, NODE_OPERATION = 4;
+constexpr uint64_t INPUT_TYPE = 2, TYPE_TENSOR = 1, TENSOR_SHAPE = 2;
 constexpr uint64_t SHAPE_DIMENSION = 1, DIMENSION_VALUE = 1;
+constexpr uint64_t INITIALIZER_TYPE = 2, INITIALIZER_LOCATION = 14;
+// Values of some, likewise.
+constexpr uint64_t FLOAT16 = 10, EXTERNAL = 1;
 
-/** Width and height of the first input, which is batch x channels x height x width. */
-cv::Size inputSize(std::string_view graph)
+/** Value of the first field of this number; 0 if there is none. */
+uint64_t integer(std::string_view message, uint64_t number)
+{
+    for (ProtobufFields fields(message); fields.next();)
+        if (fields.number() == number) return fields.integer();
+    return 0;
+}
+
+/** Sizes of the first input, which is batch x channels x height x width; 0: any. */
+std::vector<int> inputShape(std::string_view graph)
 {
     const auto shape = find(graph, {GRAPH_INPUT, INPUT_TYPE, TYPE_TENSOR, TENSOR_SHAPE});
     std::vector<int> sizes;
-    for (ProtobufFields fields(shape); fields.next();) {
-        if (fields.number() != SHAPE_DIMENSION) continue;
-        int size = 0;
-        for (ProtobufFields dimension(fields.content()); dimension.next();)
-            if (dimension.number() == DIMENSION_VALUE) size = static_cast<int>(dimension.integer());
-        sizes.push_back(size);
-    }
-    if (sizes.size() != 4 || sizes[2] <= 0 || sizes[3] <= 0) return {};
-    return {sizes[3], sizes[2]};
+    for (ProtobufFields fields(shape); fields.next();)
+        if (fields.number() == SHAPE_DIMENSION)
+            sizes.push_back(static_cast<int>(integer(fields.content(), DIMENSION_VALUE)));
+    return sizes;
 }
 
-/** Names from a Python dictionary such as {0: 'person', 1: "bull's eye"}; empty if it is none. */
-std::vector<std::string> namesFromDictionary(const std::string& text)
+cv::Size imageSize(const std::vector<int>& shape)
 {
-    static const std::regex ENTRY(R"re((\d+): (?:'([^']*)'|"([^"]*)"))re");
+    if (shape.size() != 4 || shape[2] <= 0 || shape[3] <= 0) return {};
+    return {shape[3], shape[2]};
+}
+
+/** Whether the weights are in another file. */
+bool isExternal(std::string_view graph)
+{
+    for (ProtobufFields fields(graph); fields.next();)
+        if (fields.number() == GRAPH_INITIALIZER &&
+            integer(fields.content(), INITIALIZER_LOCATION) == EXTERNAL)
+            return true;
+    return false;
+}
+
+/** See OnnxFile::exportOptions. */
+std::vector<std::string> optionsFor(std::string_view graph, const std::vector<int>& shape)
+{
+    bool sorts = false, isHalf = false, isQuantized = false;
+    for (ProtobufFields fields(graph); fields.next();) {
+        if (fields.number() == GRAPH_NODE) {
+            const std::string_view operation = find(fields.content(), NODE_OPERATION).value_or("");
+            sorts = sorts || operation == "TopK" || operation == "NonMaxSuppression";
+            isQuantized = isQuantized || operation.find("uantize") != std::string_view::npos ||
+                          operation.substr(0, 7) == "QLinear";
+        } else if (fields.number() == GRAPH_INITIALIZER) {
+            isHalf = isHalf || integer(fields.content(), INITIALIZER_TYPE) == FLOAT16;
+        }
+    }
+    std::vector<std::string> options;
+    if (sorts) options.insert(options.end(), {"nms=False", "end2end=False"});
+    if (isHalf) options.emplace_back("half=False");
+    if (isQuantized) options.emplace_back("int8=False");
+    if (std::count(shape.begin(), shape.end(), 0) > 0) options.emplace_back("dynamic=False");
+    if (!shape.empty() && shape.front() > 1) options.emplace_back("batch=1");
+    return options;
+}
+
+/** Names from a dictionary of Python or JSON such as {0: 'person', 1: "bull's eye"}, or a list of
+ * such; empty if it is neither, or out of order. */
+std::vector<std::string> namesFrom(const std::string& text)
+{
+    static const std::regex ENTRY(R"re((?:"?(\d+)"?: *)?(?:'([^']*)'|"([^"]*)")(?! *:))re");
+    const bool isList =
+        text.find_first_not_of(" [") > 0 && text.find('[') < text.find_first_of("'\"{");
     std::vector<std::string> names;
     for (std::sregex_iterator at(text.begin(), text.end(), ENTRY), end; at != end; ++at) {
-        if (at->str(1) != std::to_string(names.size())) return {};
+        if (at->str(1) != (isList ? "" : std::to_string(names.size()))) return {};
         names.push_back(at->str(2) + at->str(3));
     }
     return names;
@@ -71,12 +122,20 @@ OnnxFile::OnnxFile(const std::string& file)
     try {
         const auto graph = find(model, MODEL_GRAPH);
         if (!graph) throw std::invalid_argument("no graph");
-        input = inputSize(*graph);
+        if (isExternal(*graph))
+            throw InputError("the weights of the model '" + file +
+                             "' are in another file, which OpenCV does not read: save it as one "
+                             "file, in Python onnx.save(onnx.load('" +
+                             std::filesystem::path(file).filename().string() +
+                             "'), 'one_file.onnx')");
+        const auto shape = inputShape(*graph);
+        input = imageSize(shape);
+        exportOptions = optionsFor(*graph, shape);
         for (ProtobufFields fields(model); fields.next();)
             if (fields.number() == MODEL_METADATA &&
                 find(fields.content(), METADATA_KEY) == "names")
-                classNames = namesFromDictionary(
-                    std::string(find(fields.content(), METADATA_VALUE).value_or("")));
+                classNames =
+                    namesFrom(std::string(find(fields.content(), METADATA_VALUE).value_or("")));
     } catch (const ProtobufFields::CutOff&) {
         throw InputError("the model '" + file + "' is cut off: copy or export it again");
     } catch (const std::invalid_argument&) {

@@ -12,9 +12,20 @@ struct OnnxNode
     std::vector<std::string> inputs, outputs;
 };
 
+/** Types of an ONNX model's numbers. */
+constexpr size_t ONNX_FLOAT = 1, ONNX_FLOAT16 = 10;
+
+/** The constant "c" of a small ONNX model, of zeros. */
+struct OnnxConstant
+{
+    std::vector<int> shape = {1};
+    size_t type = ONNX_FLOAT;
+    bool isExternal = false;  //!< whether it only names another file
+};
+
 /** The bytes of an ONNX model with an input "x" of float, a constant "c" of zeros and a result "y".
  *  \param inputShape sizes; 0 stands for one that is not given
  *  \param names value of the metadata "names"; empty: no metadata */
 std::string smallOnnx(const std::vector<OnnxNode>& nodes, const std::vector<int>& inputShape,
-                      const std::string& names = "", const std::vector<int>& constantShape = {1});
+                      const std::string& names = "", const OnnxConstant& constant = {});
 }  // namespace voxeland::test

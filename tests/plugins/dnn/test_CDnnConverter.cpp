@@ -206,10 +206,14 @@ TEST_F(SmallModels, anOperationThatOpenCVLacksIsNamed)
     const OnnxNode relu = {"Relu", {"x"}, {"z"}};
     const auto unknown = smallOnnx({relu, {"Frobnicate", {"z"}, {"y"}}}, {1, 3, 32, 32});
     EXPECT_HAS(errorOf<InputError>(model(unknown)), "has an operation 'Frobnicate' that OpenCV");
+    EXPECT_HAS(errorOf<InputError>(model(unknown)), "export it anew with opset=12 simplify=True");
+    const auto dynamic = smallOnnx({relu, {"TopK", {"z"}, {"y"}}}, {0, 3, 32, 32});
+    EXPECT_HAS(errorOf<InputError>(model(dynamic)),
+               "export it anew with nms=False end2end=False dynamic=False opset=12");
     // OpenCV 4.6 cannot repeat a constant along another axis than the channels.
     if (CV_VERSION_MAJOR > 4 || CV_VERSION_MINOR > 6) return;
     const auto broadcast =
-        smallOnnx({relu, {"Mul", {"z", "c"}, {"y"}}}, {1, 3, 32, 32}, "", {1, 1, 1, 32});
+        smallOnnx({relu, {"Mul", {"z", "c"}, {"y"}}}, {1, 3, 32, 32}, "", {{1, 1, 1, 32}});
     EXPECT_HAS(errorOf<InputError>(model(broadcast)), "cannot do the operation 'Mul_node' (");
 }
 
@@ -231,6 +235,9 @@ TEST_F(SmallModels, aModelThatIsMissingOrNoneIsNamed)
     EXPECT_HAS(errorOf<InputError>("model = " + m_folder.file("no.onnx") + "\n"),
                "there is no model");
     EXPECT_HAS(errorOf<InputError>(model("<html>not found</html>")), "is not an ONNX model");
+    writeFile(m_folder.file("yolov8n-seg.pt"), "weights");
+    EXPECT_HAS(errorOf<InputError>("model = " + m_folder.file("yolov8n-seg.pt") + "\n"),
+               "yolo export model=yolov8n-seg.pt format=onnx");
     writeFile(m_folder.file("graph.pb"), "some text");
     EXPECT_HAS(errorOf<InputError>("model = " + m_folder.file("graph.pb") + "\n"), "graph.pb");
 }

@@ -54,6 +54,42 @@ TEST_F(OnnxFileTest, tellsTheNamesOfTheClasses)
               (Names{"person", "bull's eye", "wine glass"}));
     EXPECT_EQ(read(model({1})).classNames, Names());
     EXPECT_EQ(read(model({1}, "{1: 'second', 0: 'first'}")).classNames, Names()) << "out of order";
+    EXPECT_EQ(read(model({1}, "{\"0\": \"person\", \"1\": \"3d printer\"}")).classNames,
+              (Names{"person", "3d printer"}));
+    EXPECT_EQ(read(model({1}, "['mug', \"bull's eye\"]")).classNames, (Names{"mug", "bull's eye"}));
+    EXPECT_EQ(read(model({1}, "{0: 'a: b', 1: '[c]'}")).classNames, (Names{"a: b", "[c]"}));
+    EXPECT_EQ(read(model({1}, "['0: a']")).classNames, (Names{"0: a"}));
+    for (const char* other : {"{}", "[]", "{\"a\": \"b\"}", "mug"})
+        EXPECT_EQ(read(model({1}, other)).classNames, Names()) << other;
+}
+
+TEST_F(OnnxFileTest, namesTheOptionsOfTheExportThatMayHelp)
+{
+    using Options = std::vector<std::string>;
+    const auto options = [this](const std::string& operation, const std::vector<int>& shape,
+                                size_t type = ONNX_FLOAT) {
+        return read(smallOnnx({{operation, {"x"}, {"y"}}}, shape, "", {{1}, type})).exportOptions;
+    };
+    const std::vector<int> usual = {1, 3, 64, 64};
+    EXPECT_EQ(options("Relu", usual), Options());
+    EXPECT_EQ(options("TopK", usual), (Options{"nms=False", "end2end=False"}));
+    EXPECT_EQ(options("NonMaxSuppression", usual), (Options{"nms=False", "end2end=False"}));
+    EXPECT_EQ(options("Relu", usual, ONNX_FLOAT16), Options{"half=False"});
+    EXPECT_EQ(options("QLinearConv", usual), Options{"int8=False"});
+    EXPECT_EQ(options("DequantizeLinear", usual), Options{"int8=False"});
+    EXPECT_EQ(options("Relu", {0, 3, 64, 64}), Options{"dynamic=False"});
+    EXPECT_EQ(options("Relu", {1, 3, 0, 0}), Options{"dynamic=False"});
+    EXPECT_EQ(options("Relu", {4, 3, 64, 64}), Options{"batch=1"});
+    EXPECT_EQ(options("TopK", {0, 3, 64, 64}, ONNX_FLOAT16),
+              (Options{"nms=False", "end2end=False", "half=False", "dynamic=False"}));
+}
+
+TEST_F(OnnxFileTest, weightsInAnotherFileAreRefused)
+{
+    const std::string error =
+        errorOf(smallOnnx({{"Add", {"x", "c"}, {"y"}}}, {1}, "", {{1}, ONNX_FLOAT, true}));
+    EXPECT_NE(error.find("save it as one file"), std::string::npos) << error;
+    EXPECT_NE(error.find(m_file), std::string::npos) << error;
 }
 
 TEST_F(OnnxFileTest, saysWhatIsWrongWithAFile)
