@@ -120,6 +120,59 @@ TEST(ObservedSpace, BlocksFarApartDoNotMix)
     EXPECT_EQ(voxelsOf(space, Seen::behind), behind);
 }
 
+TEST(ObservedSpace, WhatIsBeyondTheLimitClearsTheSpaceUpToIt)
+{
+    // The ray of pixel (39, 29) leaves the axis by 1/80 to the left and up: at the limit, 4 m from
+    // the camera, it is in row 0 still.
+    const auto space = castRays(frameOf([](int c, int r) { return c == 39 && r == 29 ? 6.0 : 0.0; },
+                                        mrpt::poses::CPose3D(-0.55, 0.02, 0.02, 0, 0, 0)),
+                                0.25);
+    std::set<VoxelCoord> passed;  // up to x = 3.45, whose voxel is not cleared as a whole
+    for (int x = -6; x < 34; ++x) passed.insert({x, 0, 0});
+    EXPECT_EQ(voxelsOf(space, Seen::passed), passed);
+    EXPECT_TRUE(voxelsOf(space, Seen::hit).empty());
+    EXPECT_TRUE(voxelsOf(space, Seen::behind).empty());
+}
+
+TEST(ObservedSpace, SurfacesWithinTheLimitAndBeyondItAreSeenTogether)
+{
+    // A post at 2 m before a wall at 9 m; every ray by itself, by another traversal.
+    const auto depth = [](int c, int) { return c > 30 && c < 50 ? 2.0 : 9.0; };
+    const mrpt::poses::CPose3D pose(-1.03, 2.04, -0.55, 2.1, 0.3, -0.2);
+    const auto frame = frameOf(depth, pose);
+    std::set<VoxelCoord> hits, passed;
+    for (const HitVoxel& h : frame.hits()) {
+        hits.insert(h.coord);
+        traverseRay(frame.origin(), h.centroid, 1 / RESOLUTION,
+                    [&](const VoxelCoord& v) { passed.insert(v); });
+    }
+    uint32_t pixels = 0;
+    for (const HitVoxel& h : frame.beyond()) {
+        pixels += h.points;
+        EXPECT_NEAR(pose.inverseComposePoint(h.centroid).x, 4, 1e-4) << "not at the limit";
+        std::vector<VoxelCoord> way;
+        traverseRay(frame.origin(), h.centroid, 1 / RESOLUTION,
+                    [&](const VoxelCoord& v) { way.push_back(v); });
+        EXPECT_EQ(way.back(), h.coord);
+        passed.insert(way.begin(), way.end() - 1);
+    }
+    EXPECT_EQ(pixels, static_cast<uint32_t>((test::COLUMNS - 19) * test::ROWS));
+    for (const VoxelCoord& v : hits) passed.erase(v);
+    const auto space = castRays(frame, 0);
+    EXPECT_EQ(voxelsOf(space, Seen::hit), hits);
+    EXPECT_EQ(voxelsOf(space, Seen::passed), passed);
+}
+
+TEST(ObservedSpace, UnknownPixelsClearNothing)
+{
+    const auto scan = test::makeScan([](int, int) { return 0.0; });
+    for (int c = 0; c < test::COLUMNS / 2; ++c)
+        for (int r = 0; r < test::ROWS; ++r) scan->rangeImage(r, c) = 65535;
+    const VoxelizedFrame frame({scan, nullptr, {}}, RESOLUTION, {});
+    EXPECT_EQ(castRays(frame, 0.1).size(), 0u);
+    EXPECT_EQ(frame.depths().pixels, 0u);
+}
+
 TEST(ObservedSpace, AMeasuredVoxelIsNeverFree)
 {
     // A slanted surface: rays to its far end pass through voxels hit nearer by.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -224,6 +225,25 @@ TEST(VoxelizedFrame, PixelsWithoutDepthOrBeyondTheLimitsMakeNoPoint)
     EXPECT_EQ(points({0.1, 6.0}), 3 * QUARTER);
     EXPECT_EQ(points({0.0, 6.0}), 3 * QUARTER) << "zero means not measured, whatever the limit";
     EXPECT_EQ(points({7.0, 8.0}), 0u);
+}
+
+TEST(VoxelizedFrame, DepthsMetAreThoseOfTheImageWhateverTheLimits)
+{
+    // Columns of 0.2 m, nothing, 1 m and 7.5 m, in turn.
+    const auto depth = [](int c, int) { return std::array<double, 4>{0.2, 0, 1, 7.5}.at(c % 4); };
+    const VoxelizedFrame frame(frameOf(makeScan(depth)), RESOLUTION, {0.3, 4});
+    const uint64_t column = test::ROWS * test::COLUMNS / 4;
+    EXPECT_EQ(frame.depths().pixels, 3 * column);
+    EXPECT_EQ(frame.depths().used, column);
+    EXPECT_NEAR(frame.depths().nearest, 0.2, 1e-6);
+    EXPECT_NEAR(frame.depths().farthest, 7.5, 1e-6);
+    DepthsMet both = frame.depths();
+    both.add(
+        VoxelizedFrame(frameOf(makeScan([](int, int) { return 0.1; })), RESOLUTION, {}).depths());
+    EXPECT_EQ(both.pixels, 7 * column);
+    EXPECT_EQ(both.used, column);
+    EXPECT_NEAR(both.nearest, 0.1, 1e-6);
+    EXPECT_NEAR(both.farthest, 7.5, 1e-6);
 }
 
 TEST(VoxelizedFrame, UnusableScansAreRefused)

@@ -38,3 +38,28 @@ TEST(SemanticMapper, AnObjectInViewThatIsMissedStays)
     EXPECT_EQ(voxelsLeft(8, "missed_share = 1"), 0U);
     EXPECT_GT(voxelsLeft(4, "missed_share = 1"), detected / 2);
 }
+
+TEST(SemanticMapper, WhoWalkedThroughBeforeAFarWallLeaves)
+{
+    SemanticMapper mapper{MapperConfig()};
+    SemanticVoxelMap map(mapper.config().map);
+    MappingCounts counts;
+    // The person stands at 2 m, in some columns only; the wall, at 6 m, is beyond max_depth.
+    const auto integrate = [&](int frame, bool person) {
+        const auto scan = test::makeScan(
+            [&](int c, int) { return person && c > 25 && c < 55 ? 2.02 : 6.0; }, frame);
+        std::vector<InstancePrediction> detected;
+        if (person) detected = {test::prediction(test::rectangleMask(26, 5, 55, 55), "person")};
+        mapper.integrate(mapper.prepare({scan, test::makePredictions(detected, frame), {}}), map,
+                         counts);
+    };
+    const auto occupied = [&] {
+        size_t count = 0;
+        for (const auto& [winner, voxels] : voxelsByWinner(map, true)) count += voxels.size();
+        return count;
+    };
+    for (int i = 0; i < 5; ++i) integrate(i, true);
+    EXPECT_GT(occupied(), 300U);
+    for (int i = 5; i < 25; ++i) integrate(i, false);
+    EXPECT_EQ(occupied(), 0U);
+}

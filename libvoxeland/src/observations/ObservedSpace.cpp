@@ -78,10 +78,50 @@ class RayCaster
     {
     }
 
-    void cast(const HitVoxel* hits, size_t rays)
+    /** Casts a ray to each voxel's point. \param AIM how: aimAt or aimThrough */
+    template <int32_t (RayCaster::*AIM)(size_t, const TPoint3D&)>
+    void cast(const std::vector<HitVoxel>& voxels)
     {
-        int32_t longest = 0;
-        for (size_t r = 0; r < rays; ++r) longest = std::max(longest, aim(r, hits[r].centroid));
+        for (size_t i = 0; i < voxels.size(); i += RayBundle::RAYS) {
+            const size_t rays = std::min(RayBundle::RAYS, voxels.size() - i);
+            int32_t longest = 0;
+            for (size_t r = 0; r < rays; ++r)
+                longest = std::max(longest, (this->*AIM)(r, voxels[i + r].centroid));
+            walk(rays, longest);
+        }
+    }
+
+    /** Aims at a measured point. \return steps to the end of the ray, behind the point */
+    int32_t aimAt(size_t ray, const TPoint3D& point)
+    {
+        const TPoint3D direction = point - m_origin;
+        const TPoint3D end = point + direction * (m_margin / direction.norm());
+        m_toEnd[ray] = set(ray, end);
+        m_toHit[ray] = stepsBetween(m_start, voxelOf(point, m_inverseResolution));
+        return m_toEnd[ray];
+    }
+
+    /** Aims through a point: what was measured lies behind it. \return steps to before its voxel */
+    int32_t aimThrough(size_t ray, const TPoint3D& point)
+    {
+        m_toHit[ray] = set(ray, point) - 1;
+        m_toEnd[ray] = m_toHit[ray] - 1;  // nothing is behind a surface
+        return m_toHit[ray];
+    }
+
+ private:
+    static constexpr int32_t STEPS = 16;
+
+    /** \return steps to the end */
+    int32_t set(size_t ray, const TPoint3D& end)
+    {
+        const GridRay way(m_origin, end, m_inverseResolution);
+        m_rays.set(ray, way, m_blocks.keyOf(m_start));
+        return way.steps;
+    }
+
+    void walk(size_t rays, int32_t longest)
+    {
         for (m_done = 0; m_done <= longest; m_done += STEPS) {
             m_rays.walk(STEPS, m_keys.data());
             for (size_t r = 0; r < rays; ++r) {
@@ -89,21 +129,6 @@ class RayCaster
                 mark<&ObservedBlock::behind>(r, m_toHit[r], m_toEnd[r]);
             }
         }
-    }
-
- private:
-    static constexpr int32_t STEPS = 16;
-
-    /** \return steps to the end of the ray */
-    int32_t aim(size_t ray, const TPoint3D& point)
-    {
-        const TPoint3D direction = point - m_origin;
-        const TPoint3D end = point + direction * (m_margin / direction.norm());
-        const GridRay way(m_origin, end, m_inverseResolution);
-        m_rays.set(ray, way, m_blocks.keyOf(m_start));
-        m_toHit[ray] = stepsBetween(m_start, voxelOf(point, m_inverseResolution));
-        m_toEnd[ray] = way.steps;
-        return way.steps;
     }
 
     /** Marks a ray's cells from the first to the last, as far as they are among m_keys. */
@@ -131,11 +156,10 @@ class RayCaster
 ObservedSpace castRays(const VoxelizedFrame& frame, double visibilityMargin)
 {
     ObservedSpace space;
-    const std::vector<HitVoxel>& hits = frame.hits();
-    for (const HitVoxel& h : hits) space.at(blockOf(h.coord)).hit.set(cellOf(h.coord));
+    for (const HitVoxel& h : frame.hits()) space.at(blockOf(h.coord)).hit.set(cellOf(h.coord));
     RayCaster caster(frame, visibilityMargin, space);
-    for (size_t i = 0; i < hits.size(); i += RayBundle::RAYS)
-        caster.cast(&hits[i], std::min(RayBundle::RAYS, hits.size() - i));
+    caster.cast<&RayCaster::aimAt>(frame.hits());
+    caster.cast<&RayCaster::aimThrough>(frame.beyond());
     for (size_t b = 0; b < space.size(); ++b) space[b].passed = space[b].passed - space[b].hit;
     return space;
 }

@@ -27,6 +27,17 @@ struct Unprojection
     float nearest = 0, farthest = 0;  //!< depths used [m]
 };
 
+/** The largest number, as some sensors give it for "nothing came back". */
+constexpr uint16_t NO_RETURN = std::numeric_limits<uint16_t>::max();
+
+/** What a pixel measured. */
+enum Measured : int32_t
+{
+    NOTHING = 0,
+    POINT = 1,
+    BEYOND = 2  //!< something farther than the farthest depth used
+};
+
 /** One axis of a row of pixels. */
 struct Axis
 {
@@ -41,10 +52,10 @@ struct Axis
 struct PixelRow
 {
     std::array<Axis, 3> axes;
-    std::vector<int32_t> valid;
+    std::vector<int32_t> measured;   //!< see Measured
     std::vector<uint8_t> startsRun;  //!< the pixel's voxel differs from the pixel's before
 
-    explicit PixelRow(size_t n) : axes{Axis(n), Axis(n), Axis(n)}, valid(n), startsRun(n) {}
+    explicit PixelRow(size_t n) : axes{Axis(n), Axis(n), Axis(n)}, measured(n), startsRun(n) {}
 
     [[nodiscard]] VoxelCoord voxelOf(size_t pixel) const
     {
@@ -71,16 +82,19 @@ VOXELAND_WITH_AVX2 void transform(const Unprojection& u, size_t n, const uint16_
                                   const float* __restrict dx, const float* __restrict dy,
                                   const float* __restrict dz, float* __restrict x,
                                   float* __restrict y, float* __restrict z,
-                                  int32_t* __restrict valid)
+                                  int32_t* __restrict measured)
 {
     const auto r = u.rotation;
     const auto o = u.origin;
     const float unit = u.unit, nearest = u.nearest, farthest = u.farthest;
     for (size_t c = 0; c < n; ++c) {
-        const float measured = static_cast<float>(depth[c]) * unit;
-        valid[c] =
-            static_cast<int32_t>(measured >= nearest) & static_cast<int32_t>(measured <= farthest);
-        const float d = valid[c] != 0 ? measured : 0;
+        const float metres = static_cast<float>(depth[c]) * unit;
+        const int32_t isFar =
+            static_cast<int32_t>(metres > farthest) & static_cast<int32_t>(depth[c] != NO_RETURN);
+        measured[c] =
+            (static_cast<int32_t>(metres >= nearest) & static_cast<int32_t>(metres <= farthest)) |
+            isFar * BEYOND;
+        const float d = measured[c] != NOTHING ? std::min(metres, farthest) : 0;
         const float ex = d * dx[c], ey = d * dy[c], ez = d * dz[c];
         x[c] = r[0] * ex + r[1] * ey + r[2] * ez + o[0];
         y[c] = r[3] * ex + r[4] * ey + r[5] * ez + o[1];
@@ -102,12 +116,12 @@ VOXELAND_WITH_AVX2 void split(size_t n, const float* __restrict in, int32_t* __r
 }
 
 VOXELAND_WITH_AVX2 void findRuns(size_t n, const int32_t* __restrict i, const int32_t* __restrict j,
-                                 const int32_t* __restrict k, const int32_t* __restrict valid,
+                                 const int32_t* __restrict k, const int32_t* __restrict measured,
                                  uint8_t* __restrict startsRun)
 {
     for (size_t c = 1; c < n; ++c) {
-        const int32_t change =
-            (i[c] ^ i[c - 1]) | (j[c] ^ j[c - 1]) | (k[c] ^ k[c - 1]) | (valid[c] ^ valid[c - 1]);
+        const int32_t change = (i[c] ^ i[c - 1]) | (j[c] ^ j[c - 1]) | (k[c] ^ k[c - 1]) |
+                               (measured[c] ^ measured[c - 1]);
         startsRun[c] = static_cast<uint8_t>(change != 0);
     }
     startsRun[0] = 1;
@@ -116,13 +130,47 @@ VOXELAND_WITH_AVX2 void findRuns(size_t n, const int32_t* __restrict i, const in
 void unproject(const Unprojection& u, const uint16_t* depth, const PixelDirections& directions,
                PixelRow& row)
 {
-    const size_t n = row.valid.size();
+    const size_t n = row.measured.size();
     auto& [x, y, z] = row.axes;
     transform(u, n, depth, directions.x(), directions.y(), directions.z(), x.point.data(),
-              y.point.data(), z.point.data(), row.valid.data());
+              y.point.data(), z.point.data(), row.measured.data());
     for (Axis& a : row.axes) split(n, a.point.data(), a.voxel.data(), a.fraction.data());
-    findRuns(n, x.voxel.data(), y.voxel.data(), z.voxel.data(), row.valid.data(),
+    findRuns(n, x.voxel.data(), y.voxel.data(), z.voxel.data(), row.measured.data(),
              row.startsRun.data());
+}
+
+/** Range of the numbers of a depth image, those that say nothing left out. */
+struct DepthRange
+{
+    uint16_t lessOne = NO_RETURN;  //!< the smallest, less one: 0 wraps to the largest of all
+    uint16_t plusOne = 1;          //!< the largest, plus one: NO_RETURN wraps to 0
+    uint64_t pixels = 0;
+};
+
+VOXELAND_WITH_AVX2 void extend(DepthRange& range, size_t n, const uint16_t* __restrict depth)
+{
+    uint16_t lessOne = range.lessOne, plusOne = range.plusOne, unknown = 0;
+    for (size_t c = 0; c < n; ++c) {
+        const auto less = static_cast<uint16_t>(depth[c] - 1);
+        const auto plus = static_cast<uint16_t>(depth[c] + 1);
+        lessOne = less < lessOne ? less : lessOne;
+        plusOne = plus > plusOne ? plus : plusOne;
+        unknown = static_cast<uint16_t>(unknown + (plus <= 1 ? 1 : 0));
+    }
+    range.lessOne = lessOne;
+    range.plusOne = plusOne;
+    range.pixels += n - unknown;
+}
+
+DepthsMet depthsMet(const DepthRange& range, double unit, const std::vector<HitVoxel>& hits)
+{
+    DepthsMet met;
+    met.pixels = range.pixels;
+    for (const HitVoxel& h : hits) met.used += h.points;
+    if (range.pixels == 0) return met;
+    met.nearest = (range.lessOne + 1) * unit;
+    met.farthest = (range.plusOne - 1) * unit;
+    return met;
 }
 
 void collectRuns(const PixelRow& row, RowRuns& runs)
@@ -148,36 +196,29 @@ void collectRuns(const PixelRow& row, RowRuns& runs)
     runs.count = run;
 }
 
-/** Collects pixels in the voxels they fall in. */
+/** Collects pixels of one kind in the voxels they fall in. */
 class VoxelGrouping
 {
  public:
-    VoxelGrouping(const VoxelCoord& base, double resolution, std::vector<HitVoxel>& hits)
+    /** \param expected number of voxels to make room for */
+    VoxelGrouping(const VoxelCoord& base, double resolution, size_t expected,
+                  std::vector<HitVoxel>& hits)
         : m_base(base), m_resolution(resolution), m_hits(hits)
     {
-        m_index.reserve(1 << 12);
-        m_hits.reserve(1 << 12);
+        m_index.reserve(expected);
+        m_hits.reserve(expected);
     }
 
-    /** Adds a row of pixels. \param firstPixel number of the first one
-     *  \param found receives the row's runs */
-    void add(const PixelRow& row, const RowRuns& runs, uint32_t firstPixel,
-             std::vector<PixelRun>& found)
+    /** Adds a run of pixels. \return number of the voxel they are in */
+    uint32_t add(const PixelRow& row, const RowRuns& runs, size_t run)
     {
-        const size_t before = found.size();
-        found.resize(before + runs.count);
-        for (size_t r = 0; r < runs.count; ++r) {
-            const uint32_t c = runs.first[r];
-            PixelRun& run = found[before + r];
-            run.first = firstPixel + c;
-            if (row.valid[c] == 0) continue;
-            const uint32_t hit = hitAt(row.voxelOf(c));
-            run.hit = static_cast<int32_t>(hit);
-            HitVoxel& voxel = m_hits[hit];
-            voxel.points += runs.first[r + 1] - c;
-            voxel.centroid += TPoint3D(runs.x[r + 1] - runs.x[r], runs.y[r + 1] - runs.y[r],
-                                       runs.z[r + 1] - runs.z[r]);
-        }
+        const uint32_t first = runs.first[run];
+        const uint32_t hit = hitAt(row.voxelOf(first));
+        HitVoxel& voxel = m_hits[hit];
+        voxel.points += runs.first[run + 1] - first;
+        voxel.centroid += TPoint3D(runs.x[run + 1] - runs.x[run], runs.y[run + 1] - runs.y[run],
+                                   runs.z[run + 1] - runs.z[run]);
+        return hit;
     }
     /** Turns sums of fractions into mean points. */
     void finish()
@@ -223,9 +264,9 @@ class VoxelGrouping
 };
 }  // namespace
 
-std::vector<PixelRun> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
-                                  const mrpt::poses::CPose3D& sensorPose, double resolution,
-                                  const DepthLimits& limits, std::vector<HitVoxel>& hits)
+GroupedPixels groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
+                          const mrpt::poses::CPose3D& sensorPose, double resolution,
+                          const DepthLimits& limits)
 {
     const auto rows = static_cast<size_t>(scan.rangeImage.rows());
     const auto columns = static_cast<size_t>(scan.rangeImage.cols());
@@ -244,20 +285,37 @@ std::vector<PixelRun> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan
     u.nearest = std::max(static_cast<float>(limits.min_depth), std::numeric_limits<float>::min());
     u.farthest = static_cast<float>(limits.max_depth);
 
-    std::vector<PixelRun> found;
+    GroupedPixels grouped;
+    std::vector<PixelRun>& found = grouped.runs;
     found.reserve(rows * columns / 2);
     PixelDirections directions(scan);
-    VoxelGrouping grouping(base, resolution, hits);
+    VoxelGrouping hits(base, resolution, 1 << 12, grouped.hits);
+    VoxelGrouping beyond(base, resolution, 0, grouped.beyond);  // most images have none
+    DepthRange depths;
     PixelRow pixels(columns);
     RowRuns runs(columns);
     for (size_t row = 0; row < rows; ++row) {
         directions.select(row);
-        unproject(u, &scan.rangeImage(static_cast<int>(row), 0), directions, pixels);
+        const uint16_t* numbers = &scan.rangeImage(static_cast<int>(row), 0);
+        extend(depths, columns, numbers);
+        unproject(u, numbers, directions, pixels);
         collectRuns(pixels, runs);
-        grouping.add(pixels, runs, static_cast<uint32_t>(row * columns), found);
+        const size_t before = found.size();
+        found.resize(before + runs.count);
+        for (size_t r = 0; r < runs.count; ++r) {
+            const uint32_t c = runs.first[r];
+            PixelRun& run = found[before + r];
+            run.first = static_cast<uint32_t>(row * columns) + c;
+            if (pixels.measured[c] == POINT)
+                run.hit = static_cast<int32_t>(hits.add(pixels, runs, r));
+            else if (pixels.measured[c] == BEYOND)
+                beyond.add(pixels, runs, r);
+        }
     }
     found.push_back({static_cast<uint32_t>(rows * columns), PixelRun::NO_HIT});
-    grouping.finish();
-    return found;
+    hits.finish();
+    beyond.finish();
+    grouped.depths = depthsMet(depths, static_cast<double>(scan.rangeUnits), grouped.hits);
+    return grouped;
 }
 }  // namespace voxeland

@@ -6,11 +6,19 @@
 
 namespace voxeland
 {
+/** A scan's depth pixels by voxel. */
+struct GroupedPixels
+{
+    std::vector<HitVoxel> hits;    //!< in order of first pixel
+    std::vector<HitVoxel> beyond;  //!< see VoxelizedFrame::beyond()
+    /** All pixels in row-major order, and one more run that starts after the last pixel. */
+    std::vector<PixelRun> runs;
+    DepthsMet depths;
+};
+
 /** Unprojects a scan's depth pixels and groups them by voxel.
- *  \param sensorPose of the depth camera in the map's frame
- *  \param hits receives the voxels, in order of first pixel
- *  \return all pixels as runs in row-major order, and one more that starts after the last pixel */
-std::vector<PixelRun> groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
-                                  const mrpt::poses::CPose3D& sensorPose, double resolution,
-                                  const DepthLimits& limits, std::vector<HitVoxel>& hits);
+ *  \param sensorPose of the depth camera in the map's frame */
+GroupedPixels groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
+                          const mrpt::poses::CPose3D& sensorPose, double resolution,
+                          const DepthLimits& limits);
 }  // namespace voxeland

@@ -50,6 +50,14 @@ bool camerasCoincide(const CObservation3DRangeScan& scan)
 }
 }  // namespace
 
+void DepthsMet::add(const DepthsMet& other)
+{
+    pixels += other.pixels;
+    used += other.used;
+    nearest = std::min(nearest, other.nearest);
+    farthest = std::max(farthest, other.farthest);
+}
+
 VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const DepthLimits& limits)
     : m_resolution(resolution)
 {
@@ -60,7 +68,11 @@ VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const 
     if (!isValidPose(sensorPose)) throw InputError(frameName(scan) + " has an invalid pose");
     m_focalLength = scan.cameraParams.fx();
     m_origin = sensorPose.translation();
-    m_runs = groupPixels(scan, sensorPose, resolution, limits, m_hits);
+    GroupedPixels grouped = groupPixels(scan, sensorPose, resolution, limits);
+    m_hits = std::move(grouped.hits);
+    m_beyond = std::move(grouped.beyond);
+    m_runs = std::move(grouped.runs);
+    m_depths = grouped.depths;
     const bool project = frame.instances && !camerasCoincide(scan);
     if (project) projectIntoColour(scan);
     const TCamera& masked = project ? maskCamera(scan) : scan.cameraParams;

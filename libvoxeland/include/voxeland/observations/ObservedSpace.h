@@ -10,7 +10,7 @@ namespace voxeland
 struct ObservedBlock
 {
     CellMask hit;     //!< a point was measured in the cell
-    CellMask passed;  //!< a ray went through the cell on its way to a point; none of `hit`
+    CellMask passed;  //!< a ray went through the cell on its way to what it met; none of `hit`
     CellMask behind;  //!< right behind a measured surface, within the visibility margin
 
     /** Cells that the camera can see, the margin included. */
@@ -21,7 +21,8 @@ struct ObservedBlock
 using ObservedSpace = BlockMap<ObservedBlock>;
 
 /** Casts one exact ray from the optical centre to the mean point of every hit voxel, and on by
- *  `visibilityMargin` behind it.
+ *  `visibilityMargin` behind it; and one to every voxel of VoxelizedFrame::beyond(), that voxel not
+ *  included.
  *  \param visibilityMargin depth noise within which a voxel counts as seen [m] */
 ObservedSpace castRays(const VoxelizedFrame& frame, double visibilityMargin);
 }  // namespace voxeland

@@ -6,6 +6,7 @@
 #include <mrpt/math/TPoint3D.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace voxeland
@@ -18,6 +19,16 @@ struct HitVoxel
     mrpt::math::TPoint3D centroid;  //!< mean of those points, in the map's frame [m]
 };
 
+/** What a depth image measured, used or not. */
+struct DepthsMet
+{
+    uint64_t pixels = 0;  //!< with a depth
+    uint64_t used = 0;    //!< of those, within the limits
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  //!< [m]
+
+    void add(const DepthsMet& other);
+};
+
 /** Successive depth pixels of a row in one voxel, up to the next run. */
 struct PixelRun
 {
@@ -28,7 +39,8 @@ struct PixelRun
 };
 
 /** Which depths to use. They limit what the scan's range image holds: the depth along the optical
- * axis, or the distance from the camera for scans with `range_is_depth = false`. */
+ * axis, or the distance from the camera for scans with `range_is_depth = false`. What lies farther
+ * is no surface of the map, but shows that there is none up to `max_depth`. */
 struct DepthLimits
 {
     double min_depth = 0.3;  //!< nearest used [m]
@@ -54,6 +66,10 @@ class VoxelizedFrame
     [[nodiscard]] double focalLength() const { return m_focalLength; }
     /** The voxels hit, in row-major order of their first pixel. */
     [[nodiscard]] const std::vector<HitVoxel>& hits() const { return m_hits; }
+    /** Where the rays of pixels that measured more than `max_depth` reach it, by voxel. 0 and
+     * 65535 are no measurements. */
+    [[nodiscard]] const std::vector<HitVoxel>& beyond() const { return m_beyond; }
+    [[nodiscard]] const DepthsMet& depths() const { return m_depths; }
 
     /** How many depth pixels of a mask fall in each hit voxel.
      *  \param mask of the colour image, or of the depth image where the frame has no predictions
@@ -72,7 +88,8 @@ class VoxelizedFrame
     double m_focalLength = 0;
     int m_maskWidth = 0, m_maskHeight = 0;  //!< size of the image that masks are of [pixels]
     mrpt::math::TPoint3D m_origin;
-    std::vector<HitVoxel> m_hits;
+    std::vector<HitVoxel> m_hits, m_beyond;
+    DepthsMet m_depths;
     std::vector<PixelRun> m_runs;          //!< all depth pixels; the last one starts after them
     std::vector<int32_t> m_colourOfPixel;  //!< depth pixel -> colour pixel or -1; empty: the same
 };
