@@ -46,13 +46,9 @@ class AskingAServer : public testing::Test
     {
         std::vector<std::string> arguments = {"-m", file("s.voxeland"),    "-i", file("s.rawlog"),
                                               "-o", file("asked.voxeland")};
-        std::vector<std::string> settings = {"plugin=chat_completions",
-                                             "class=CChatCompletionsDisambiguator",
-                                             "base_url=" + url,
-                                             "model=m",
-                                             std::string("api_key_env=") + KEY_VARIABLE,
-                                             "retry_delay=0.01",
-                                             "retries=1"};
+        std::vector<std::string> settings = {
+            "class=CChatCompletionsDisambiguator",      "base_url=" + url,  "model=m",
+            std::string("api_key_env=") + KEY_VARIABLE, "retry_delay=0.01", "retries=1"};
         settings.insert(settings.end(), more.begin(), more.end());
         for (const std::string& setting : settings) {
             arguments.emplace_back("--set");

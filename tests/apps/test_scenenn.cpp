@@ -86,7 +86,6 @@ TEST_F(SceneNNScene, AnOracleDetectorFindsTheTelevision)
         << imported.output;
     const auto mapped =
         test::runProgram("rawlog2voxeland", {"-i", file("011.rawlog"), "-o", file("011.voxeland"),
-                                             "--set", "association.plugin=track_association",
                                              "--set", "association.class=CTrackAssociation"});
     ASSERT_EQ(mapped.exitCode, 0) << mapped.errors;
     const auto evaluated =

@@ -59,8 +59,7 @@ class Disambiguate : public testing::Test
     /** Options that name a server. */
     static Words at(const std::string& url)
     {
-        return {"--set", "disambiguation.plugin=chat_completions",
-                "--set", "disambiguation.class=CChatCompletionsDisambiguator",
+        return {"--set", "disambiguation.class=CChatCompletionsDisambiguator",
                 "--set", "disambiguation.base_url=" + url,
                 "--set", "disambiguation.model=any",
                 "--set", "disambiguation.retries=0",

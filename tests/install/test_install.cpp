@@ -78,7 +78,10 @@ TEST_F(Install, programsFindTheirPlugins)
     const auto listed = run("rawlog2voxeland", {"--list-plugins"});
     expectContains(listed, "CRecordedInstancesConverter");
     expectContains(listed, "CEvidentialAssociation");
-    EXPECT_EQ(run("rawlog2voxeland", {"--check-config"}).exitCode, 0);
+    for (const char* key :
+         {"association.class=CIoUAssociation", "converter.class=CPixelLabelsConverter",
+          "disambiguation.class=CReplayDisambiguator"})
+        EXPECT_EQ(run("rawlog2voxeland", {"--set", key, "--check-config"}).exitCode, 0) << key;
 }
 
 TEST_F(Install, dataAreThere)

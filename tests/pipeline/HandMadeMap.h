@@ -57,7 +57,7 @@ inline double evidenceOf(const SemanticVoxelMap& map, instance_id_t id)
  *  \param keys more lines of its section */
 inline std::shared_ptr<const CAssociationPolicy> evidentialPolicy(const std::string& keys = "")
 {
-    return MapperConfig(Ini::fromText("[association]\nplugin = evidential_association\n"
+    return MapperConfig(Ini::fromText("[association]\n"
                                       "class = CEvidentialAssociation\n" +
                                           keys,
                                       "the test"))

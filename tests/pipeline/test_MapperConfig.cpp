@@ -46,7 +46,7 @@ TEST(MapperConfig, ItsTextReadsBack)
 {
     const MapperConfig config(
         Ini::fromText("[map]\nresolution = 0.1\n[voxeland]\nthreads = 3\n[association]\n"
-                      "plugin = iou_association\nclass = CIoUAssociation\ntau_iou = 0.4\n",
+                      "class = CIoUAssociation\ntau_iou = 0.4\n",
                       "my.ini"));
     const MapperConfig again(Ini::fromText(config.text(), "again"));
     EXPECT_EQ(again.text(), config.text());
@@ -125,7 +125,7 @@ TEST(MapperConfig, UnknownPoseSourcesAndDisambiguationKeysAreFound)
               std::string::npos);
     EXPECT_NE(problem("[disambiguation]\nentropy_treshold = 1\n").find("entropy_threshold"),
               std::string::npos);
-    EXPECT_EQ(problem("[disambiguation]\nplugin = replay\nclass = CReplayDisambiguator\n"
+    EXPECT_EQ(problem("[disambiguation]\nclass = CReplayDisambiguator\n"
                       "folder = q\nview_selection = spread\n"),
               "");
 }

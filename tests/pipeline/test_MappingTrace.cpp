@@ -21,7 +21,7 @@ namespace
 MapperConfig config()
 {
     return MapperConfig(
-        Ini::fromText("[association]\nplugin = evidential_association\ntau_iou = 0.375\n"
+        Ini::fromText("[association]\ntau_iou = 0.375\n"
                       "[refinement]\nevery = 4\nmerge_ios = 0.625\ncontinuity = false\n",
                       "the test"));
 }

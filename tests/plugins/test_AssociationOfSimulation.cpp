@@ -49,15 +49,13 @@ class AssociationOfSimulation : public testing::Test
     }
 
     /** The map of all opinions, none cleaned or left out. */
-    [[nodiscard]] SemanticVoxelMap mapWith(const std::string& library,
-                                           const std::string& className) const
+    [[nodiscard]] SemanticVoxelMap mapWith(const std::string& className) const
     {
         Ini ini;
         for (const auto* assignment :
              {"voxeland.min_depth=0.5", "voxeland.max_depth=4", "converter.cluster=false",
               "converter.min_points=1", "converter.min_score=0", "refinement.every=0"})
             ini.set(assignment);
-        ini.set("association.plugin=" + library);
         ini.set("association.class=" + className);
         const MapperConfig config(ini);
         CVoxelandMap map(config);
@@ -77,7 +75,7 @@ TEST_F(AssociationOfSimulation, OneInstanceACategory)
     std::map<std::string, uint32_t> expected, found;
     forEachUsablePrediction(
         [&](const InstancePrediction& p) { ++expected[p.categories.front().name]; });
-    const auto map = mapWith("category_association", "CCategoryAssociation");
+    const auto map = mapWith("CCategoryAssociation");
     for (const auto& [id, instance] : map.instances()) {
         const std::string& name = map.categories().name(instance.categories.top().value());
         EXPECT_EQ(found.count(name), 0U) << "two instances of " << name;
@@ -94,7 +92,7 @@ TEST_F(AssociationOfSimulation, OneInstanceATrackAndOneAnUntrackedOpinion)
     forEachUsablePrediction([&](const InstancePrediction& p) {
         ++(p.track == InstancePrediction::NO_TRACK ? expectedUntracked : expected[p.track]);
     });
-    const auto map = mapWith("track_association", "CTrackAssociation");
+    const auto map = mapWith("CTrackAssociation");
     for (const auto& [id, instance] : map.instances()) {
         if (instance.tracks.empty()) {
             EXPECT_EQ(instance.observations, 1U);

@@ -398,10 +398,10 @@ TEST_F(ChatCompletions, theKeyIsShownNowhere)
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 
     const test::TemporaryFolder recorded;
-    test::writeFile(recorded.file("server.ini"),
-                    "[disambiguation]\nplugin = chat_completions\n"
-                    "class = CChatCompletionsDisambiguator\nmodel = m\nbase_url = " +
-                        m_server.url("answer-key") + "\napi_key_env = " + KEY_VARIABLE + "\n");
+    test::writeFile(
+        recorded.file("server.ini"),
+        "[disambiguation]\nclass = CChatCompletionsDisambiguator\nmodel = m\nbase_url = " +
+            m_server.url("answer-key") + "\napi_key_env = " + KEY_VARIABLE + "\n");
     ASSERT_TRUE(test::backend("replay", "CReplayDisambiguator",
                               "folder = " + recorded.file("q") +
                                   "\nrecord_config = " + recorded.file("server.ini") + "\n")

@@ -22,12 +22,9 @@ struct Example
 {
     explicit Example(const std::string& file)
         : ini(Ini::fromFile(std::string(VOXELAND_CONFIG_FOLDER) + "/" + file)),
-          library(ini.value(SECTION, "plugin")),
           className(ini.value(SECTION, "class"))
     {
-        loadPlugin(library, pluginSearchPath());
         backend = createPlugin<CDisambiguator>(className);
-        options.add("plugin", library, "Plugin library; empty: the class is already loaded");
         options.add("class", className, backend->description());
         backend->declareOptions(options);
         std::vector<std::string> problems;
@@ -36,7 +33,7 @@ struct Example
     }
 
     Ini ini;
-    std::string library, className;
+    std::string className;
     OptionList options;
     std::shared_ptr<CDisambiguator> backend;
 };

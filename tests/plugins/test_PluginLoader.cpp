@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <dlfcn.h>
 #include <filesystem>
 #include <sstream>
 
@@ -47,6 +48,17 @@ std::string pluginError(F&& f)
     return "no error";
 }
 }  // namespace
+
+// First: nothing is unloaded that another test of this process loads.
+TEST(PluginLoader, OnlyTheLibraryOfTheClassIsLoaded)
+{
+    const std::string other = pluginSearchPath().back() + "/category_association.so";
+    ASSERT_TRUE(fs::exists(other));
+    createPlugin<CAssociationPolicy>(std::string("CIoUAssociation"));
+    EXPECT_EQ(dlopen(other.c_str(), RTLD_NOW | RTLD_NOLOAD), nullptr);
+    createPlugin<CAssociationPolicy>(std::string("CCategoryAssociation"));
+    EXPECT_NE(dlopen(other.c_str(), RTLD_NOW | RTLD_NOLOAD), nullptr);
+}
 
 TEST(PluginLoader, SearchesTheIniFolderThenTheEnvironmentThenTheLibrarysOwn)
 {
@@ -157,11 +169,63 @@ TEST(PluginLoader, ThirdPartiesPluginsAreChosenByTheIni)
     }
 }
 
+TEST(PluginLoader, AShippedClassIsChosenByItsNameAlone)
+{
+    const Ini ini = Ini::fromText(
+        "[converter]\nclass = voxeland::CPixelLabelsConverter\n"
+        "[association]\nclass = CTrackAssociation\n"
+        "[disambiguation]\nclass = CReplayDisambiguator\n",
+        "my.ini");
+    const MapperConfig config(ini);
+    const auto nameOf = [](const Plugin& plugin) {
+        return std::string(plugin.GetRuntimeClass()->className);
+    };
+    EXPECT_EQ(nameOf(*config.converter), "voxeland::CPixelLabelsConverter");
+    EXPECT_EQ(nameOf(*config.association), "voxeland::CTrackAssociation");
+    EXPECT_EQ(nameOf(*config.disambiguator), "voxeland::CReplayDisambiguator");
+}
+
+TEST(PluginLoader, ALibraryOfOnesOwnIsNeverLoadedForItsClassAlone)
+{
+    const test::TemporaryFolder folder;
+    test::writeFile(folder.file("own.classes"), "voxeland::COwn\n");
+    test::writeFile(folder.file("own.so"), "not a library");
+    const PluginPath path(folder.path().string());
+    const std::string message =
+        pluginError([] { createPlugin<CAssociationPolicy>(std::string("COwn")); });
+    EXPECT_TRUE(contains(message, "there is no class 'COwn'")) << message;
+    EXPECT_TRUE(contains(message, "'plugin'")) << message;
+}
+
+TEST(PluginLoader, WhereLibraryAndClassDisagreeTheMessageNamesBoth)
+{
+    const auto message = [](const std::string& library, const std::string& className) {
+        Ini ini;
+        ini.set("association.plugin=" + library);
+        ini.set("association.class=" + className);
+        return pluginError([&] { const MapperConfig config(ini); });
+    };
+    EXPECT_EQ(message("iou_association", "CIoUAssociation"), "no error");
+    for (const char* part : {"'iou_association'", "'CEvidentialAssociation'", "CIoUAssociation",
+                             "needs no key 'plugin'"})
+        EXPECT_TRUE(contains(message("iou_association", "CEvidentialAssociation"), part)) << part;
+}
+
+TEST(PluginLoader, ALibraryWithOneClassChoosesIt)
+{
+    Ini ini;
+    ini.set("association.plugin=" + MODULES + "/test_plugin.so");
+    const MapperConfig config(ini);
+    EXPECT_EQ(config.association->description(), "a plugin of the tests");
+    EXPECT_EQ(MapperConfig(Ini::fromText(config.text(), "again")).text(), config.text());
+}
+
 TEST(PluginLoader, AFolderOfPluginsIsListedWithDescriptions)
 {
     std::ostringstream list;
     listPlugins(list, {MODULES, pluginSearchPath().back(), "/no/such/folder"});
-    for (const char* part : {"CTestAssociation  a plugin of the tests", "CEvidentialAssociation",
-                             "CRecordedInstancesConverter", "unresolved_plugin.so: not a plugin"})
+    for (const char* part :
+         {"CTestAssociation  a plugin of the tests (test_plugin)", "CEvidentialAssociation",
+          "CRecordedInstancesConverter", "unresolved_plugin.so: not a plugin"})
         EXPECT_TRUE(contains(list.str(), part)) << list.str();
 }

@@ -33,10 +33,7 @@ class ReplayDisambiguator : public testing::Test
     std::shared_ptr<CDisambiguator> recorder(const std::string& keys = "") const
     {
         const std::string ini = m_folder.file("record.ini");
-        test::writeFile(ini,
-                        "[disambiguation]\nplugin = top_category\n"
-                        "class = CTopCategoryDisambiguator\n" +
-                            keys);
+        test::writeFile(ini, "[disambiguation]\nclass = CTopCategoryDisambiguator\n" + keys);
         return replay("record_config = " + ini + "\n");
     }
     [[nodiscard]] std::string questions() const { return m_folder.file("questions"); }

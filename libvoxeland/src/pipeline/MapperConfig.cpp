@@ -151,7 +151,8 @@ struct Problems
     }
 };
 
-/** A section that names a plugin library, one of its classes, and that class's keys. */
+/** A section that names a plugin class, of which library if it is not a shipped one, and that
+ * class's keys. */
 template <typename Base>
 struct PluginSection
 {
@@ -160,31 +161,40 @@ struct PluginSection
     std::shared_ptr<Base> object;
 
     /** \param declareOthers declares the section's keys that no plugin owns */
-    PluginSection(const Ini& ini, std::string name, std::string defaultLibrary,
-                  std::string defaultClass, Problems& problems,
+    PluginSection(const Ini& ini, std::string name, const std::string& defaultClass,
+                  Problems& problems,
                   const std::function<void(OptionList&)>& declareOthers = nullptr)
-        : section(std::move(name)),
-          library(std::move(defaultLibrary)),
-          className(std::move(defaultClass))
+        : section(std::move(name))
     {
         // These two decide which other keys there are, so they are read first.
         OptionList choice;
         std::vector<std::string> reportedLater;
-        choice.add("plugin", library, "");
         choice.add("class", className, "");
+        choice.add("plugin", library, "");
         choice.load(ini, section, reportedLater);
         try {
-            if (!library.empty()) loadPlugin(library, pluginSearchPath(ini.folder()));
-            object = createPlugin<Base>(className);
+            object = created(ini, defaultClass);
         } catch (const PluginError& e) {
             problems.plugins.emplace_back(e.what());
             return;  // which other keys there are is not known
         }
-        options.add("plugin", library, "Plugin library; empty: the class is already loaded");
         options.add("class", className, object->description());
+        options.add("plugin", library, "Library of the class; empty: it is a shipped one");
         if (declareOthers) declareOthers(options);
         object->declareOptions(options);
         options.load(ini, section, problems.settings);
+    }
+
+ private:
+    std::shared_ptr<Base> created(const Ini& ini, const std::string& defaultClass)
+    {
+        if (!library.empty()) {
+            auto plugin = createPlugin<Base>(className, library, pluginSearchPath(ini.folder()));
+            if (className.empty()) className = plugin->GetRuntimeClass()->className;
+            return plugin;
+        }
+        if (className.empty()) className = defaultClass;
+        return createPlugin<Base>(className);
     }
 };
 
@@ -231,12 +241,12 @@ MapperConfig::MapperConfig(const Ini& ini)
         problems.settings.push_back(std::string("[map] ") + e.what());
     }
 
-    PluginSection<COpinionConverter> converterSection(ini, "converter", "recorded_instances",
+    PluginSection<COpinionConverter> converterSection(ini, "converter",
                                                       "CRecordedInstancesConverter", problems);
-    PluginSection<CAssociationPolicy> associationSection(
-        ini, "association", "evidential_association", "CEvidentialAssociation", problems);
+    PluginSection<CAssociationPolicy> associationSection(ini, "association",
+                                                         "CEvidentialAssociation", problems);
     PluginSection<CDisambiguator> disambiguationSection(
-        ini, "disambiguation", "top_category", "CTopCategoryDisambiguator", problems,
+        ini, "disambiguation", "CTopCategoryDisambiguator", problems,
         [this](OptionList& list) { declare(list, disambiguation); });
     problems.report(ini.origin());
     converterSection.object->start();

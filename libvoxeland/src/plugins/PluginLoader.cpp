@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -40,13 +41,99 @@ fs::path findPlugin(const std::string& name, const std::vector<std::string>& sea
     return {};
 }
 
-std::vector<std::string> classesOf(const mrpt::rtti::TRuntimeClassId* base)
+using ClassId = mrpt::rtti::TRuntimeClassId;
+
+/** Path of the library that registered a class. */
+std::string libraryOf(const ClassId& id)
+{
+    Dl_info info;
+    return dladdr(&id, &info) == 0 ? std::string() : info.dli_fname;
+}
+
+/** The classes of a base that can be created, by name. \param library only those of this file */
+std::vector<const ClassId*> classesOf(const ClassId* base, const std::string& library = "")
+{
+    std::vector<const ClassId*> classes;
+    std::error_code ignored;
+    for (const auto* id : mrpt::rtti::getAllRegisteredClassesChildrenOf(base))
+        if (id->ptrCreateObject &&
+            (library.empty() || fs::equivalent(libraryOf(*id), library, ignored)))
+            classes.push_back(id);
+    std::sort(classes.begin(), classes.end(), [](const ClassId* a, const ClassId* b) {
+        return std::string_view(a->className) < b->className;
+    });
+    return classes;
+}
+
+/** A class as users call it. */
+std::string shortName(const std::string& className)
+{
+    const std::string ours = "voxeland::";
+    return className.compare(0, ours.size(), ours) == 0 ? className.substr(ours.size()) : className;
+}
+
+std::string listed(const std::vector<const ClassId*>& classes)
 {
     std::vector<std::string> names;
-    for (const auto* id : mrpt::rtti::getAllRegisteredClassesChildrenOf(base))
-        if (id->ptrCreateObject) names.emplace_back(id->className);
-    std::sort(names.begin(), names.end());
-    return names;
+    for (const ClassId* id : classes) names.push_back(shortName(id->className));
+    return listed(names);
+}
+
+/** Whether a class is the one that a user calls so. */
+bool isCalled(const std::string& className, const std::string& word)
+{
+    return shortName(className) == shortName(word);
+}
+
+/** The one of some classes that a user calls so, or null. */
+const ClassId* called(const std::string& word, const std::vector<const ClassId*>& classes)
+{
+    for (const ClassId* id : classes)
+        if (isCalled(id->className, word)) return id;
+    return nullptr;
+}
+
+std::shared_ptr<Plugin> newObject(const ClassId* id)
+{
+    return std::dynamic_pointer_cast<Plugin>(id->createObject());
+}
+
+/** Folder of the plugins that are shipped with this library. */
+fs::path shippedFolder()
+{
+    return fs::path(libraryFile()).parent_path() / "voxeland";
+}
+
+/** Loads those shipped libraries that list a class of this name; each is accompanied by a file
+ * NAME.classes, so that no library is loaded just to be asked. */
+void loadShipped(const std::string& className)
+{
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(shippedFolder(), ignored)) {
+        if (entry.path().extension() != ".classes") continue;
+        std::ifstream list(entry.path());
+        for (std::string line; std::getline(list, line);)
+            if (isCalled(line, className))
+                loadPlugin(fs::path(entry.path()).replace_extension(".so").string(), {});
+    }
+}
+
+/** Loads what can be loaded in some folders. \return the files that cannot */
+std::vector<std::string> loadAll(const std::vector<std::string>& folders)
+{
+    std::set<fs::path> seen;
+    std::vector<std::string> refused;
+    for (const std::string& folder : folders) {
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+            if (entry.path().extension() != ".so" || !seen.insert(entry.path().filename()).second)
+                continue;
+            std::string error;
+            if (!mrpt::system::loadPluginModule(fs::absolute(entry.path()).string(), error))
+                refused.push_back(entry.path().string());
+        }
+    }
+    return refused;
 }
 }  // namespace
 
@@ -66,11 +153,11 @@ std::vector<std::string> pluginSearchPath(const std::string& iniFolder)
         for (std::string folder; std::getline(list, folder, ':');)
             if (!folder.empty()) folders.push_back(folder);
     }
-    folders.push_back((fs::path(libraryFile()).parent_path() / "voxeland").string());
+    folders.push_back(shippedFolder().string());
     return folders;
 }
 
-void loadPlugin(const std::string& name, const std::vector<std::string>& searchPath)
+std::string loadPlugin(const std::string& name, const std::vector<std::string>& searchPath)
 {
     const fs::path file = findPlugin(name, searchPath);
     if (file.empty())
@@ -85,41 +172,45 @@ void loadPlugin(const std::string& name, const std::vector<std::string>& searchP
                           "MRPT " +
                           mrpt::system::MRPT_getVersion() + ": " + error);
     }
+    return fs::absolute(file).string();
 }
 
-std::shared_ptr<Plugin> createPlugin(const mrpt::rtti::TRuntimeClassId* base,
-                                     const std::string& className)
+std::shared_ptr<Plugin> createPlugin(const ClassId* base, const std::string& className)
 {
-    const auto* id = mrpt::rtti::findRegisteredClass(className, false);
-    if (id == nullptr) id = mrpt::rtti::findRegisteredClass("voxeland::" + className, false);
-    std::shared_ptr<Plugin> plugin;
-    if (id != nullptr && id->derivedFrom(base) && id->ptrCreateObject)
-        plugin = std::dynamic_pointer_cast<Plugin>(id->createObject());
-    if (!plugin)
-        throw PluginError("no loaded plugin has a class '" + className + "' derived from " +
-                          base->className + "; there are: " + listed(classesOf(base)));
-    return plugin;
+    if (called(className, classesOf(base)) == nullptr) loadShipped(className);
+    if (const ClassId* id = called(className, classesOf(base))) return newObject(id);
+    loadAll({shippedFolder().string()});  // for the message
+    throw PluginError("there is no class '" + className + "' derived from " +
+                      shortName(base->className) + "; there are: " + listed(classesOf(base)) +
+                      " (for another one, name its library with the key 'plugin')");
+}
+
+std::shared_ptr<Plugin> createPlugin(const ClassId* base, const std::string& className,
+                                     const std::string& library,
+                                     const std::vector<std::string>& searchPath)
+{
+    const auto classes = classesOf(base, loadPlugin(library, searchPath));
+    if (className.empty() && classes.size() == 1) return newObject(classes[0]);
+    if (const ClassId* id = called(className, classes)) return newObject(id);
+    throw PluginError("plugin '" + library + "' has " +
+                      (className.empty() ? "not just one class" : "no class '" + className + "'") +
+                      " derived from " + shortName(base->className) +
+                      "; it has: " + listed(classes) +
+                      " (a class that is shipped with Voxeland needs no key 'plugin': leave it out "
+                      "or empty)");
 }
 
 void listPlugins(std::ostream& out, const std::vector<std::string>& searchPath)
 {
-    std::set<std::string> seen;
-    for (const std::string& folder : searchPath) {
-        std::error_code ignored;
-        for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-            if (entry.path().extension() != ".so" || !seen.insert(entry.path().filename()).second)
-                continue;
-            std::string error;
-            if (!mrpt::system::loadPluginModule(fs::absolute(entry.path()).string(), error))
-                out << entry.path().string() << ": not a plugin of this version\n";
-        }
-    }
+    for (const std::string& file : loadAll(searchPath))
+        out << file << ": not a plugin of this version\n";
     for (const auto* base :
          {CLASS_ID(COpinionConverter), CLASS_ID(CAssociationPolicy), CLASS_ID(CDisambiguator)})
     {
         out << base->className << ":\n";
-        for (const std::string& name : classesOf(base))
-            out << "  " << name << "  " << createPlugin(base, name)->description() << "\n";
+        for (const ClassId* id : classesOf(base))
+            out << "  " << id->className << "  " << newObject(id)->description() << " ("
+                << fs::path(libraryOf(*id)).stem().string() << ")\n";
     }
 }
 }  // namespace voxeland
