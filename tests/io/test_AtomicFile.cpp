@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace voxeland;
@@ -70,12 +73,46 @@ TEST(AtomicFile, aFolderThatThisUserMayNotWriteToIsNoticedBeforeTheWork)
     fs::permissions(folder.path(), fs::perms::owner_write, fs::perm_options::add);
 }
 
-TEST(AtomicFile, aPartThatAnotherRunIsWritingIsLeftAlone)
+TEST(AtomicFile, twoWritersOfOneFileDoNotMeet)
 {
     const TemporaryFolder folder;
-    test::writeFile(folder.file("a.part"), "being written");
+    AtomicFile first(folder.file("a"));
+    test::writeFile(first.part(), "first");
+    writeText(folder.file("a"), "second");
+    EXPECT_EQ(test::readFile(folder.file("a")), "second");
+    EXPECT_EQ(test::readFile(first.part()), "first");
+    first.commit();
+    EXPECT_EQ(test::readFile(folder.file("a")), "first");
+    EXPECT_EQ(filesIn(folder.path()), 1U);
+}
+
+TEST(AtomicFile, whatAKilledWriterLeftIsRemovedByTheNext)
+{
+    const TemporaryFolder folder;
+    const pid_t child = fork();
+    if (child == 0) {
+        AtomicFile file(folder.file("a"));
+        test::writeFile(file.part(), "half");
+        kill(getpid(), SIGKILL);
+    }
+    waitpid(child, nullptr, 0);
+    ASSERT_EQ(filesIn(folder.path()), 1U);
+    test::writeFile(folder.file("a.notes.part"), "of somebody else");
     checkWritable(folder.file("a"));
-    EXPECT_EQ(test::readFile(folder.file("a.part")), "being written");
+    EXPECT_EQ(filesIn(folder.path()), 2U) << "checking touches nothing";
+    writeText(folder.file("a"), "whole");
+    EXPECT_EQ(filesIn(folder.path()), 2U);
+    EXPECT_EQ(test::readFile(folder.file("a")), "whole");
+    EXPECT_EQ(test::readFile(folder.file("a.notes.part")), "of somebody else");
+}
+
+TEST(AtomicFile, othersMayReadWhatIsWritten)
+{
+    const TemporaryFolder folder;
+    const mode_t before = umask(022);
+    writeText(folder.file("a"), "text");
+    umask(before);
+    EXPECT_EQ(fs::status(folder.file("a")).permissions(), static_cast<fs::perms>(0644));
 }
 
 TEST(AtomicFile, aWriterThatThrowsLeavesTheOldFile)

@@ -7,8 +7,9 @@
 namespace voxeland
 {
 /** A file being written under a temporary name in the folder of its target, so that nobody ever
- *  sees half of it: write to part(), then commit(). Targets that are no regular files (devices,
- *  pipes) are written directly. */
+ *  sees half of it: write to part(), then commit(). Each writer has a name of its own, and holds a
+ *  lock on it while it writes; parts of writers that were killed are removed by the next one.
+ * Targets that are no regular files (devices, pipes) are written directly. */
 class AtomicFile
 {
  public:
@@ -20,25 +21,22 @@ class AtomicFile
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /** Where to write; asked for once writing begins, as the destructor removes it. */
-    [[nodiscard]] const std::string& part()
-    {
-        m_begun = true;
-        return m_part;
-    }
+    /** Where to write: the file is there, and empty, once it was asked for.
+     *  \throws OutputError if it cannot be created */
+    [[nodiscard]] const std::string& part();
     /** \throws OutputError if this user may not write there; touches no file */
     void checkAccess() const;
-    /** Puts the finished part in the place of the target. \throws OutputError if that fails */
+    /** Puts the finished part, once it is on the disk, in the place of the target.
+     *  \throws OutputError if that fails */
     void commit();
     /** An OutputError that names the target, the reason (the system's errno, if any) and what to
      *  do. */
     [[noreturn]] void fail(int error) const;
 
  private:
-    [[nodiscard]] bool isDirect() const { return m_part == m_target; }
-
-    std::string m_target, m_part;
-    bool m_begun = false, m_committed = false;
+    std::string m_target, m_part;  //!< the part is empty until it was asked for
+    int m_lock = -1;               //!< descriptor of the part, which the lock is held through
+    bool m_direct = false, m_committed = false;
 };
 
 /** Makes sure before long work that a file may be written after it: that its folder, or the device
