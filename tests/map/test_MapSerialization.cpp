@@ -164,5 +164,30 @@ TEST(MapSerialization, ImpossibleMergesAreRefused)
     const std::string bytes = bytesOf(map), merge = pair(0x1234, 0x1233), corrupt = "corrupt map: ";
     EXPECT_EQ(refusal(bytes, merge, pair(0x1233, 0x1233)).find(corrupt), 0U) << "with itself";
     EXPECT_EQ(refusal(bytes, merge, pair(0x1235, 0x1233)).find(corrupt), 0U) << "of no instance";
+    EXPECT_EQ(refusal(bytes, merge, pair(0x1234, 0x1235)).find(corrupt), 0U) << "with no instance";
+    EXPECT_EQ(refusal(bytes, merge, pair(0x1232, 0x1233)).find(corrupt), 0U) << "of a live one";
     EXPECT_EQ(refusal(bytes, merge, pair(0x1234, 0x1232)), "accepted");
+}
+
+TEST(MapSerialization, MergesInACircleAreRefused)
+{
+    SemanticVoxelMap map;
+    for (int i = 0; i < 0x1236; ++i) map.createInstance();
+    map.merge(0x1235, 0x1234, 0);
+    map.merge(0x1236, 0x1235, 0);
+    map.instance(0x1236).history.clear();
+    const auto pair = [](instance_id_t a, instance_id_t b) { return bytesOf(a) + bytesOf(b); };
+    const std::string bytes = bytesOf(map);
+    EXPECT_EQ(refusal(bytes, pair(0x1235, 0x1236), pair(0x1235, 0x1234)).find("corrupt map: "), 0U);
+}
+
+TEST(MapSerialization, BlocksBeyondTheCoordinatesAreRefused)
+{
+    SemanticVoxelMap map;
+    map.addEvidence({8 * 0x1234, 0, 0}, UNKNOWN_INSTANCE, 1);
+    const std::string bytes = bytesOf(map), at = bytesOf(int32_t{0x1234});
+    constexpr int32_t MOST = MAX_VOXEL_COORD / BLOCK_SIDE;
+    for (const int32_t far : {MOST + 1, -MOST - 1, INT32_MAX, INT32_MIN})
+        EXPECT_EQ(refusal(bytes, at, bytesOf(far)).find("corrupt map: "), 0U) << far;
+    EXPECT_EQ(refusal(bytes, at, bytesOf(-MOST)), "accepted");
 }

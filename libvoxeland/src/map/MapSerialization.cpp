@@ -62,6 +62,26 @@ void write(CArchive& out, const VoxelCoord& coord, const MapBlock& block)
         for (const auto& e : evidence) out << e.instance << e.alpha;
     });
 }
+
+/** Every absorbed instance must lead, by the survivors of its survivor, to one that was not. */
+void checkMerges(const std::map<instance_id_t, instance_id_t>& absorbed, instance_id_t next)
+{
+    std::set<instance_id_t> ending;
+    for (const auto& [first, survivor] : absorbed) {
+        std::set<instance_id_t> chain;
+        instance_id_t id = first;
+        for (auto at = absorbed.find(id); at != absorbed.end() && ending.count(id) == 0;
+             at = absorbed.find(id))
+        {
+            const bool isPossible = id != UNKNOWN_INSTANCE && id < next && chain.insert(id).second;
+            if (!isPossible) throw std::runtime_error("corrupt map: an impossible merge");
+            id = at->second;
+        }
+        if (id == UNKNOWN_INSTANCE || id >= next)
+            throw std::runtime_error("corrupt map: a merge with an instance it lacks");
+        ending.insert(chain.begin(), chain.end());
+    }
+}
 }  // namespace
 
 void SemanticVoxelMap::writeTo(CArchive& out) const
@@ -84,14 +104,12 @@ void SemanticVoxelMap::readFrom(CArchive& in)
     SemanticVoxelMap read(readOptions(in, version));
     std::vector<std::string> names;
     in >> names >> read.m_nextInstance >> read.m_absorbed >> read.m_dismissed;
-    for (const auto& [absorbed, survivor] : read.m_absorbed)
-        if (absorbed == survivor || absorbed >= read.m_nextInstance)
-            throw std::runtime_error("corrupt map: an impossible merge");
+    checkMerges(read.m_absorbed, read.m_nextInstance);
     for (const auto& name : names) read.m_categories.add(name);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         Instance i = readInstance(in, read.m_categories, read.m_options.views_kept);
         const instance_id_t id = i.id;
-        if (id == UNKNOWN_INSTANCE || id >= read.m_nextInstance ||
+        if (id == UNKNOWN_INSTANCE || id >= read.m_nextInstance || read.m_absorbed.count(id) > 0 ||
             !read.m_instances.emplace(id, std::move(i)).second)
             throw std::runtime_error("corrupt map: an instance numbered " + std::to_string(id));
     }
