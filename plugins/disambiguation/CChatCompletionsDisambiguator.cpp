@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CChatCompletionsDisambiguator.h"
 
+#include "ServerUrl.h"
 #include "voxeland/counted.h"
 
 #include <mrpt/core/initializer.h>
@@ -23,13 +24,7 @@ namespace
 /** Whether a request leaves this machine, and unencrypted. */
 bool isOpenToOthers(const std::string& url)
 {
-    static const std::string SCHEME = "http://";
-    if (url.compare(0, SCHEME.size(), SCHEME) != 0) return false;
-    std::string host = url.substr(SCHEME.size());
-    const bool bracketed = !host.empty() && host[0] == '[';
-    host =
-        bracketed ? host.substr(1, host.find(']') - 1) : host.substr(0, host.find_first_of(":/"));
-    return host != "localhost" && host != "::1" && host.compare(0, 4, "127.") != 0;
+    return isUnencrypted(url) && !isThisMachine(url);
 }
 
 /** Tokens a server that does not count has probably used. */
@@ -272,8 +267,10 @@ std::string CChatCompletionsDisambiguator::sentence(const std::string& clause) c
 std::string CChatCompletionsDisambiguator::withoutKey(std::string text) const
 {
     if (m_key.empty()) return text;
-    for (size_t at = text.find(m_key); at != std::string::npos; at = text.find(m_key, at))
-        text.replace(at, m_key.size(), "*");
+    static const std::string HIDDEN = "*";
+    for (size_t at = text.find(m_key); at != std::string::npos;
+         at = text.find(m_key, at + HIDDEN.size()))
+        text.replace(at, m_key.size(), HIDDEN);
     return text;
 }
 }  // namespace voxeland

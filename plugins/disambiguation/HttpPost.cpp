@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HttpPost.h"
 
+#include "ServerUrl.h"
 #include "voxeland/trimmed.h"
 
 #include <algorithm>
@@ -85,7 +86,10 @@ HttpReply post(const HttpRequest& request)
     curl_easy_setopt(curl, CURLOPT_URL, request.url.c_str());
     curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
     curl_easy_setopt(curl, CURLOPT_FOLLOWLOCATION, 0L);  // pictures and key go nowhere else
-    curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);        // several threads
+    const bool isReadable = !request.key.empty() && isUnencrypted(request.url);
+    if (isThisMachine(request.url) || isReadable)  // whatever http_proxy says: no proxy sees it
+        curl_easy_setopt(curl, CURLOPT_NOPROXY, "*");
+    curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);  // several threads
     curl_easy_setopt(curl, CURLOPT_USERAGENT, "voxeland");
     curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
     curl_easy_setopt(curl, CURLOPT_POSTFIELDSIZE_LARGE,

@@ -39,7 +39,8 @@ struct HttpError : std::runtime_error
     Kind kind;
 };
 
-/** POSTs a request and waits for the answer. May be called from several threads.
+/** POSTs a request and waits for the answer. A proxy of the environment (https_proxy ...) is used,
+ * but not for this machine, nor for a key that it could read. May be called from several threads.
  *  \throws HttpError if there is none */
 HttpReply post(const HttpRequest& request);
 

@@ -320,6 +320,24 @@ TEST_F(ChatCompletions, aServerThatIsDown)
                 true, "check base_url");
 }
 
+TEST_F(ChatCompletions, noProxySeesWhatStaysOnThisMachine)
+{
+    fs::create_directory(m_kept.file("proxied"));
+    const test::VisionServer proxy(m_kept.file("proxied"));
+    unsetenv("no_proxy");
+    setenv("http_proxy", ("http://127.0.0.1:" + proxy.port()).c_str(), 1);
+    const auto answer = asking("")->ask(couchOrChair());
+    unsetenv("http_proxy");
+    EXPECT_EQ(requests(), 1U);
+    EXPECT_FALSE(fs::exists(m_kept.file("proxied/1.json")));
+}
+
+TEST_F(ChatCompletions, aKeyOfOneStarIsHiddenToo)
+{
+    setenv(KEY_VARIABLE, "*", 1);
+    EXPECT_NE(answerOf(asking("")), "");
+}
+
 TEST_F(ChatCompletions, onlyATrustedServerIsAskedOverHttps)
 {
     const auto secure = [this](const std::string& subject) {
@@ -433,7 +451,9 @@ TEST_F(ChatCompletions, wrongKeysAreNamedTogether)
         EXPECT_NE(all.find(part), std::string::npos) << all;
     const std::string key =
         std::string("model = m\napi_key_env = ") + KEY_VARIABLE + "\nbase_url = ";
-    EXPECT_NE(problemsOf(key + "http://example.org/v1\n").find("unencrypted"), std::string::npos);
+    for (const char* open : {"http://example.org/v1", "http://127.0.0.1.example.org/v1",
+                             "http://127.evil.com/v1", "http://localhost.evil.com/v1"})
+        EXPECT_NE(problemsOf(key + open + "\n").find("unencrypted"), std::string::npos) << open;
     for (const char* ok : {"https://example.org/v1", "http://localhost:1/v1", "http://[::1]:8/v1",
                            "http://example.org/v1\nsend_key_unencrypted = true"})
         EXPECT_EQ(problemsOf(key + ok + "\n"), "");
