@@ -7,7 +7,9 @@
 #include "voxeland/datasets/DatasetImport.h"
 #include "voxeland/errors.h"
 #include "voxeland/joined.h"
+#include "voxeland/numbers.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
+#include "voxeland/trimmed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +17,6 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <locale>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -37,8 +38,9 @@ const char* const DESCRIPTION =
 
 Beside k.rawlog, which any MRPT program reads, it writes the images to k_Images (--images embedded:
 into the rawlog) and the predictions to k.instances.rawlog (--embed: into the rawlog, which then
-needs programs that load libvoxeland). Frames with a missing file or without a valid pose are left
-out and listed.
+needs programs that load libvoxeland). Frames with a missing or damaged file or without a valid pose
+are left out and listed; --strict makes each an error. Intrinsics of images that were resized since
+are scaled where their first size can be told, and it is said.
 
 --check lays a sample of the frames into one another instead, and tells whether depth scale,
 intrinsics and poses hold together, or what fits better. It ends with 0 if nothing speaks against
@@ -79,6 +81,16 @@ struct Arguments : apps::CommandLine
         "",
         "FX,FY,CX,CY",
         parser()};
+    TCLAP::ValueArg<std::string> colourIntrinsics{
+        "",
+        "color-intrinsics",
+        "Camera of the colour images, which then need not be registered to the depth images "
+        "[pixels] (default: the dataset's)",
+        false,
+        "",
+        "FX,FY,CX,CY",
+        parser()};
+    TCLAP::SwitchArg strict{"", "strict", "A frame that cannot be used is an error", parser()};
     TCLAP::SwitchArg check{
         "", "check", "Tell whether depth scale, intrinsics and poses hold together; write nothing",
         parser()};
@@ -131,19 +143,20 @@ void checkArguments(Arguments& arguments)
         throw ConfigurationError("--depth-scale must be positive");
 }
 
-PinholeCamera parseIntrinsics(const std::string& text)
+/** The camera that an option gives, if it is set. */
+std::optional<PinholeCamera> intrinsicsOf(TCLAP::ValueArg<std::string>& option)
 {
-    std::istringstream in(text);
-    in.imbue(std::locale::classic());
-    PinholeCamera camera;
-    char a = 0, b = 0, c = 0;
-    in >> camera.fx >> a >> camera.fy >> b >> camera.cx >> c >> camera.cy;
-    const bool good = !in.fail() && (in >> std::ws).eof() && a == ',' && b == ',' && c == ',' &&
-                      camera.fx > 0 && camera.fy > 0;
-    if (!good)
-        throw ConfigurationError("--intrinsics '" + text +
+    if (!option.isSet()) return std::nullopt;
+    std::vector<double> numbers;
+    std::istringstream in(option.getValue());
+    for (std::string part; std::getline(in, part, ',');)
+        numbers.push_back(parsed<double>(trimmed(part)).value_or(NAN));
+    const bool finite = std::all_of(numbers.begin(), numbers.end(),
+                                    [](double number) { return std::isfinite(number); });
+    if (numbers.size() != 4 || !finite || numbers[0] <= 0 || numbers[1] <= 0)
+        throw ConfigurationError("--" + option.getName() + " '" + option.getValue() +
                                  "' is not four numbers like 525,525,319.5,239.5");
-    return camera;
+    return PinholeCamera{numbers[0], numbers[1], numbers[2], numbers[3], {}};
 }
 
 std::unique_ptr<RgbdDatasetReader> open(Arguments& arguments)
@@ -152,8 +165,9 @@ std::unique_ptr<RgbdDatasetReader> open(Arguments& arguments)
     options.annotation = arguments.wantsAnnotation() && !arguments.check.isSet();
     options.invertPoses = arguments.invertPoses.isSet();
     if (arguments.depthScale.isSet()) options.depthScale = arguments.depthScale.getValue();
-    if (arguments.intrinsics.isSet())
-        options.camera = parseIntrinsics(arguments.intrinsics.getValue());
+    options.camera = intrinsicsOf(arguments.intrinsics);
+    options.colourCamera = intrinsicsOf(arguments.colourIntrinsics);
+    options.strict = arguments.strict.isSet();
     auto dataset = openDataset(arguments.format.getValue(), arguments.input.getValue(), options);
     dataset->select(arguments.first.getValue(), arguments.last.getValue(),
                     arguments.every.getValue());

@@ -119,6 +119,27 @@ TEST_F(Rgbd2Rawlog, skipsAndCountsFramesWithoutAValidPose)
         << result.output;
 }
 
+TEST_F(Rgbd2Rawlog, scalesIntrinsicsOfResizedImagesAndSaysSo)
+{
+    // The scene's images, of 32x24 pixels, lie in the middle of no camera of 7-Scenes' 640x480.
+    fs::remove(path("scene/camera-intrinsics.txt"));
+    fs::remove(path("scene/seq-01/camera-intrinsics.txt"));
+    const auto result = import();
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(
+        result.output.find("note: the depth images have 32x24 pixels, but their camera is of "
+                           "640x480: its intrinsics are scaled (--intrinsics gives others)\n"),
+        std::string::npos)
+        << result.output;
+}
+
+TEST_F(Rgbd2Rawlog, colourMayHaveACameraOfItsOwn)
+{
+    EXPECT_EQ(import({"--color-intrinsics", "29.25, 29.25,15.5,11.5"}).exitCode, 0);
+    for (const char* wrong : {"29,29,15", "29,29,15,x", "0,29,15,11", "29,29,15,11,1", "29,29,,11"})
+        expectSentence(import({"--color-intrinsics", wrong}), 1, "is not four numbers");
+}
+
 TEST_F(Rgbd2Rawlog, checkWritesNothingAndSaysWhatItCannotTell)
 {
     const auto result = test::runProgram(
@@ -175,7 +196,8 @@ TEST_F(Rgbd2Rawlog, corruptInputEndsWithThree)
     expectSentence(importWith("[" + prediction(2, small) + "]"), 3,
                    "image_id 2 are of 2x2 pixels but the image has 32x24");
     test::writeFile(path("scene/seq-01/frame-000003.color.png"), "no image");
-    expectSentence(import(), 3, "frame-000003.color.png");
+    expectSentence(import({"--strict"}), 3,
+                   "seq-01/frame-000003.color.png cannot be used (colour image is damaged)");
     expectNothingWritten();
     expectSentence(test::runProgram("rgbd2rawlog",
                                     {"--format", "7scenes", "--input", path("missing"), "--check"}),

@@ -71,12 +71,14 @@ TEST_F(ReplicaReaderTest, KnowsTheCameraOfAllScenes)
     test::writeImage(scene() / "results/frame000000.jpg", test::greyImage(1200, 680));
     test::writeImage(scene() / "results/depth000000.png",
                      Room::depth(pose, {600, 600, 599.5, 339.5, {}}, 1200, 680, 6553.5));
+    EXPECT_THROW(ReplicaReader(scene().string()), InputError) << "most images of another camera";
+    for (const char* other : {"results/frame000001.jpg", "results/frame000002.jpg"})
+        fs::remove(scene() / other);
     ReplicaReader reader(scene().string());
     RgbdRecord record;
     ASSERT_TRUE(reader.next(record));
     EXPECT_LT(test::worstDistanceToWalls(record), 1e-3);
     EXPECT_EQ(reader.notes().size(), 1U);
-    EXPECT_THROW(static_cast<void>(reader.next(record)), InputError) << "images of another camera";
 }
 
 TEST_F(ReplicaReaderTest, SkipsFramesWithoutAValidPose)

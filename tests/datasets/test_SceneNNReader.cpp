@@ -86,7 +86,7 @@ TEST_F(SceneNNReaderTest, FindsTheCameraAndOtherNames)
     fs::rename(m_folder.file("trajectory.log"), m_folder.file("011_trajectory.log"));
     expectAllOnWalls();
     fs::remove(m_folder.file("intrinsic/asus.ini"));
-    EXPECT_EQ(SceneNNReader(folder()).notes().size(), 1U) << "the default camera";
+    EXPECT_EQ(SceneNNReader(folder()).notes().size(), 2U) << "the default camera, scaled";
 }
 
 TEST_F(SceneNNReaderTest, SkipsLostTracking)

@@ -117,7 +117,7 @@ TEST_F(SevenScenesReaderTest, intrinsicsMayBeAboveTheSequenceOrMissing)
         return record.scan->cameraParams.fx();
     };
     EXPECT_EQ(focalLength(path("seq-01")), 585);
-    test::writeFile(path("camera-intrinsics.txt"), "500 0 16\n0 500 12\n0 0 1\n");
+    test::writeFile(path("camera-intrinsics.txt"), "500 0 320\n0 500 240\n0 0 1\n");
     EXPECT_EQ(focalLength(path("seq-01")), 500);
     EXPECT_EQ(focalLength(path("seq-01/")), 500);
     EXPECT_EQ(focalLength(path()), 500);
@@ -158,33 +158,61 @@ TEST_F(SevenScenesReaderTest, framesThatCannotBeUsedAreSkippedWithTheReason)
                                         "pose is not a 4x4 matrix"}));
 }
 
-TEST_F(SevenScenesReaderTest, damagedImagesAreAnErrorThatNamesThem)
+TEST_F(SevenScenesReaderTest, aFrameWithADamagedImageIsLeftOut)
 {
-    const std::string stem = frame(0).string();
-    const auto expectError = [&](const std::string& file) {
+    const auto expectReason = [&](const std::string& reason, const std::string& what) {
         SevenScenesReader reader(path());
+        EXPECT_EQ(readAll(reader), (Numbers{1, 2})) << what;
+        ASSERT_EQ(reader.skipped().size(), 1U) << what;
+        EXPECT_EQ(reader.skipped()[0].frame.number, 0) << what;
+        EXPECT_EQ(reader.skipped()[0].reason, reason) << what;
+        DatasetOptions strict;
+        strict.strict = true;
+        SevenScenesReader strictReader(path(), strict);
         try {
             RgbdRecord record;
-            static_cast<void>(reader.next(record));
-            ADD_FAILURE() << "no exception for " << file;
+            static_cast<void>(strictReader.next(record));
+            ADD_FAILURE() << "no exception for " << what;
         } catch (const InputError& e) {
-            EXPECT_NE(std::string(e.what()).find(file), std::string::npos) << e.what();
+            EXPECT_NE(std::string(e.what()).find("frame-000000.color"), std::string::npos)
+                << e.what();
+            EXPECT_NE(std::string(e.what()).find(reason), std::string::npos) << e.what();
         }
     };
+    writeFrames(3);
+    const std::string stem = frame(0).string();
     for (const std::string extension : {".color.png", ".depth.png", ".color.jpg"})
         for (const int percent : {0, 50, 95}) {
-            fs::remove_all(frame(0).parent_path());
+            for (const char* old : {".color.png", ".color.jpg"}) fs::remove(stem + old);
             writeSevenScenesFrame(frame(0), extension == ".color.jpg" ? "jpg" : "png");
             const std::string whole = test::readFile(stem + extension);
             test::writeFile(stem + extension,
                             whole.substr(0, whole.size() * static_cast<size_t>(percent) / 100));
-            expectError(stem + extension);
+            expectReason(
+                extension == ".depth.png" ? "depth image is damaged" : "colour image is damaged",
+                extension);
         }
     writeSevenScenesFrame(frame(0), "jpg");
     cv::imwrite(stem + ".depth.png", cv::Mat(24, 32, CV_8U, cv::Scalar(7)));
-    expectError(stem + ".depth.png");
+    expectReason("depth image is not one of 16 bits and one channel", "8 bits");
     cv::imwrite(stem + ".depth.png", cv::Mat(24, 31, CV_16U, cv::Scalar(7)));
-    expectError("frame-000000.color.jpg and its depth image differ in size");
+    expectReason("images of another size than those of other frames", "31 columns");
+    cv::imwrite(stem + ".depth.png", cv::Mat(24, 32, CV_16U, cv::Scalar(0)));
+    expectReason("nothing measured in the depth image", "zeros");
+    cv::imwrite(stem + ".depth.png", cv::Mat(24, 32, CV_16U, cv::Scalar(65535)));
+    expectReason("nothing measured in the depth image", "all too far");
+}
+
+TEST_F(SevenScenesReaderTest, twinsOfFilesThatMacOSMakesAreNoFrames)
+{
+    writeFrames(2);
+    for (const char* name : {"seq-01/._frame-000005.color.png", "seq-01/._frame-000000.pose.txt",
+                             "._seq-01", "seq-01/.DS_Store", "seq-01/Thumbs.db", ".DS_Store"})
+        test::writeFile(path(name), "no frame");
+    fs::create_directory(path("._seq-02"));
+    SevenScenesReader reader(path());
+    EXPECT_EQ(readAll(reader), (Numbers{0, 1}));
+    EXPECT_TRUE(reader.skipped().empty());
 }
 
 TEST_F(SevenScenesReaderTest, saysWhatItDidNotFind)

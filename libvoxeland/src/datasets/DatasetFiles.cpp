@@ -4,10 +4,10 @@
 #include "voxeland/datasets/OpticalPose.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
 #include "voxeland/errors.h"
+#include "voxeland/numbers.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 
 namespace fs = std::filesystem;
@@ -28,9 +28,9 @@ bool readNumber(std::istream& in, double& number)
 {
     std::string word;  // operator>> for numbers does not know "nan" and "inf"
     if (!(in >> word)) return false;
-    char* end = nullptr;
-    number = std::strtod(word.c_str(), &end);
-    return *end == '\0';
+    const auto value = parsed<double>(word);
+    number = value.value_or(0);
+    return value.has_value();
 }
 
 std::vector<double> readNumbers(const fs::path& file)
@@ -63,12 +63,21 @@ PinholeCamera readCameraMatrix(const fs::path& file)
     return {k[0], k[columns + 1], k[2], k[columns + 2], {}};
 }
 
+std::vector<fs::path> entriesOf(const fs::path& folder)
+{
+    std::vector<fs::path> entries;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().filename().string().front() != '.') entries.push_back(entry.path());
+    std::sort(entries.begin(), entries.end());
+    return entries;
+}
+
 std::map<int64_t, fs::path> numberedFiles(const fs::path& folder, const std::regex& pattern)
 {
     std::map<int64_t, fs::path> files;
     if (!fs::is_directory(folder)) return files;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
+    for (const fs::path& entry : entriesOf(folder)) {
+        const std::string name = entry.filename().string();
         std::smatch match;
         if (std::regex_match(name, match, pattern)) files.emplace(std::stoll(match[1]), entry);
     }

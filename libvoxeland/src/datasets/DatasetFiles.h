@@ -28,6 +28,10 @@ std::shared_ptr<mrpt::math::TPose3D> poseFromNumbers(const std::vector<double>& 
 /** Camera from a file with its 3x3 or 4x4 matrix. \throws InputError if it holds none */
 PinholeCamera readCameraMatrix(const std::filesystem::path& file);
 
+/** What a folder holds, by name; hidden files, such as the `._` twins that macOS makes of any file,
+ *  left out. */
+std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder);
+
 /** Files of a folder by the number in their name.
  *  \param pattern of the whole name, with the number as its first group */
 std::map<int64_t, std::filesystem::path> numberedFiles(const std::filesystem::path& folder,

@@ -2,7 +2,6 @@
 #include "ImageFiles.h"
 
 #include "voxeland/datasets/RgbdDatasetReader.h"
-#include "voxeland/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/imgcodecs.hpp>
@@ -17,10 +16,10 @@ namespace voxeland
 {
 namespace
 {
-std::vector<char> readBytes(const std::string& file)
+std::vector<char> readBytes(const std::string& file, const std::string& which)
 {
     std::ifstream in(file, std::ios::binary);
-    if (!in) throw InputError("cannot open the image " + file);
+    if (!in) throw UnusableFrame(which + " cannot be opened");
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
@@ -35,25 +34,24 @@ bool isCutJpeg(const std::vector<char>& bytes)
 }
 }  // namespace
 
-cv::Mat decodeImage(const std::vector<char>& bytes, const std::string& name)
+cv::Mat decodeImage(const std::vector<char>& bytes, const std::string& which)
 {
     cv::Mat image;
     if (!bytes.empty() && !isCutJpeg(bytes)) image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-    if (image.empty()) throw InputError("the image " + name + " is damaged and cannot be decoded");
+    if (image.empty()) throw UnusableFrame(which + " is damaged");
     return image;
 }
 
-cv::Mat readImage(const std::string& file)
+cv::Mat readImage(const std::string& file, const std::string& which)
 {
-    return decodeImage(readBytes(file), file);
+    return decodeImage(readBytes(file, which), which);
 }
 
-void setDepth(mrpt::obs::CObservation3DRangeScan& scan, const cv::Mat& image,
-              const std::string& name)
+void setDepth(mrpt::obs::CObservation3DRangeScan& scan, const cv::Mat& image)
 {
     constexpr uint16_t TOO_FAR = 65535;
     if (image.type() != CV_16UC1)
-        throw InputError("the depth image " + name + " is not one of 16 bits and one channel");
+        throw UnusableFrame("depth image is not one of 16 bits and one channel");
     scan.rangeImage_setSize(image.rows, image.cols);
     for (int r = 0; r < image.rows; ++r)
         std::replace_copy(image.ptr<uint16_t>(r), image.ptr<uint16_t>(r) + image.cols,
@@ -61,11 +59,9 @@ void setDepth(mrpt::obs::CObservation3DRangeScan& scan, const cv::Mat& image,
     scan.hasRangeImage = true;
 }
 
-void setColour(mrpt::obs::CObservation3DRangeScan& scan, const cv::Mat& image,
-               const std::string& name)
+void setColour(mrpt::obs::CObservation3DRangeScan& scan, const cv::Mat& image)
 {
-    if (image.depth() != CV_8U)
-        throw InputError("the colour image " + name + " is not one of 8 bits a channel");
+    if (image.depth() != CV_8U) throw UnusableFrame("colour image is not one of 8 bits a channel");
     scan.intensityImage = mrpt::img::CImage(image, mrpt::img::SHALLOW_COPY);
     scan.hasIntensityImage = true;
 }
@@ -76,8 +72,8 @@ RgbdRecord readImages(const fs::path& colour, const fs::path& depth)
     if (!fs::exists(depth)) throw UnusableFrame("no depth image");
     RgbdRecord record;
     record.scan = mrpt::obs::CObservation3DRangeScan::Create();
-    setDepth(*record.scan, readImage(depth.string()), depth.string());
-    setColour(*record.scan, readImage(colour.string()), colour.string());
+    setDepth(*record.scan, readImage(depth.string(), "depth image"));
+    setColour(*record.scan, readImage(colour.string(), "colour image"));
     record.scan->intensityImage.setExternalStorage(fs::absolute(colour).string());
     return record;
 }

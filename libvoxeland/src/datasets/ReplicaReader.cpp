@@ -19,7 +19,8 @@ namespace
 {
 constexpr double EPOCH = 1546300800;  // 2019-01-01 00:00:00 UTC
 constexpr double DEFAULT_DEPTH_SCALE = 6553.5;
-const PinholeCamera DEFAULT_CAMERA = {600, 600, 599.5, 339.5, {}};
+constexpr ImageSize RECORDED = {1200, 680};
+const PinholeCamera DEFAULT_CAMERA = {600, 600, 599.5, 339.5, {}, RECORDED};
 
 std::vector<std::vector<double>> readLines(const fs::path& file)
 {
@@ -39,9 +40,11 @@ DatasetCameras camerasFrom(const std::string& file)
     const auto json = readJson(file);
     try {
         const auto& c = json.at("camera");
-        const PinholeCamera camera = {c.at("fx"), c.at("fy"), c.at("cx"), c.at("cy"), {}};
+        const PinholeCamera camera = {c.at("fx"), c.at("fy"), c.at("cx"),
+                                      c.at("cy"), {},         {c.value("w", 0), c.value("h", 0)}};
         const double scale = c.at("scale");
-        if (camera.fx > 0 && camera.fy > 0 && scale > 0) return registeredCameras(camera, scale);
+        if (camera.fx > 0 && camera.fy > 0 && scale > 0)
+            return registeredCameras(camera, scale, {RECORDED});
     } catch (const nlohmann::json::exception&) {
     }
     throw InputError(file + " has no 'camera' with positive numbers fx, fy, cx, cy and scale");

@@ -23,9 +23,56 @@ void RgbdDatasetReader::setUp(std::vector<DatasetFrame> frames, const DatasetCam
     m_frames = std::move(frames);
     m_cameras = cameras;
     m_cameras.depthScale = m_options.depthScale.value_or(cameras.depthScale);
-    if (!m_options.camera) return;
-    m_cameras.depth = *m_options.camera;
-    if (cameras.registered) m_cameras.colour = *m_options.camera;
+    m_cameras.depth = m_options.camera.value_or(cameras.depth);
+    if (cameras.registered) m_cameras.colour = m_cameras.depth;
+    m_cameras.colour = m_options.colourCamera.value_or(m_cameras.colour);
+    m_sizes = usualSizes();
+    if (m_sizes) fitCameras();
+}
+
+void RgbdDatasetReader::fitCameras()
+{
+    const auto fitted = [&](const PinholeCamera& camera, const ImageSize& images, const char* which,
+                            const char* option) {
+        return fittedCamera(camera, images, m_cameras.recordedSizes, which, option, m_notes);
+    };
+    PinholeCamera& depth = m_cameras.depth;
+    if (!m_options.camera)
+        depth = fitted(depth, m_sizes->depth, "the depth images", "--intrinsics");
+    if (m_options.colourCamera) return;
+    PinholeCamera& colour = m_cameras.colour;
+    if (m_cameras.registered) {
+        colour = depth;
+        colour.size = m_sizes->depth;
+        if (m_sizes->colour == m_sizes->depth) return;
+    }
+    colour = fitted(colour, m_sizes->colour, "the colour images", "--color-intrinsics");
+}
+
+RgbdDatasetReader::FrameSizes RgbdDatasetReader::sizesOf(const RgbdRecord& record)
+{
+    const auto& depth = record.scan->rangeImage;
+    const auto& colour = record.scan->intensityImage;
+    return {{static_cast<int>(depth.cols()), static_cast<int>(depth.rows())},
+            {static_cast<int>(colour.getWidth()), static_cast<int>(colour.getHeight())}};
+}
+
+std::optional<RgbdDatasetReader::FrameSizes> RgbdDatasetReader::usualSizes() const
+{
+    constexpr size_t TRIED = 16, ENOUGH = 5;
+    std::map<FrameSizes, size_t> votes;
+    std::optional<FrameSizes> usual;
+    const size_t step = std::max<size_t>(1, m_frames.size() / TRIED);
+    size_t readable = 0;
+    for (size_t i = 0; i < m_frames.size() && readable < ENOUGH; i += step) {
+        try {
+            const FrameSizes sizes = sizesOf(read(i));
+            ++readable;
+            if (++votes[sizes] > (usual ? votes[*usual] : 0)) usual = sizes;
+        } catch (const UnusableFrame&) {  // next() says so
+        }
+    }
+    return usual;
 }
 
 void RgbdDatasetReader::select(int64_t first, int64_t last, size_t every)
@@ -62,7 +109,13 @@ CObservationInstances::Ptr RgbdDatasetReader::annotationOf(size_t, const RgbdRec
 RgbdRecord RgbdDatasetReader::load(size_t index) const
 {
     RgbdRecord record = read(index);
-    calibrate(*record.scan, m_cameras, m_frames[index].image);
+    const FrameSizes sizes = sizesOf(record);
+    if (m_sizes && (sizes < *m_sizes || *m_sizes < sizes))
+        throw UnusableFrame("images of another size than those of other frames");
+    const auto& depth = record.scan->rangeImage;
+    if (std::all_of(depth.data(), depth.data() + depth.size(), [](auto d) { return d == 0; }))
+        throw UnusableFrame("nothing measured in the depth image");
+    calibrate(*record.scan, m_cameras);
     if (m_options.invertPoses) *record.robotPose = poseFromOptical(-opticalPose(*record.robotPose));
     if (m_options.annotation) record.instances = annotationOf(index, record);
     if (record.instances) attachToScan(*record.instances, *record.scan);
@@ -78,7 +131,11 @@ bool RgbdDatasetReader::next(RgbdRecord& record)
             m_current = m_next++;
             return true;
         } catch (const UnusableFrame& e) {
-            m_skipped.push_back({m_frames[m_next], e.what()});
+            const DatasetFrame& unusable = m_frames[m_next];
+            if (m_options.strict)
+                throw InputError("the frame " + unusable.image + " cannot be used (" + e.what() +
+                                 "): mend it, or leave --strict out");
+            m_skipped.push_back({unusable, e.what()});
         }
     }
     return false;

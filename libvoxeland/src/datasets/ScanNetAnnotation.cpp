@@ -32,7 +32,7 @@ std::vector<uint32_t> readLabels(const fs::path& file,
                                  const mrpt::obs::CObservation3DRangeScan& scan)
 {
     if (!fs::exists(file)) throw UnusableFrame("no annotation");
-    cv::Mat image = readImage(file.string());
+    cv::Mat image = readImage(file.string(), "annotation");
     if (image.channels() != 1 || (image.depth() != CV_8U && image.depth() != CV_16U))
         throw InputError(file.string() + " is not an image of 8 or 16 bits and one channel");
     if (image.cols != static_cast<int>(scan.intensityImage.getWidth()) ||

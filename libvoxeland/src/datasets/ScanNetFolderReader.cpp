@@ -4,6 +4,7 @@
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
 #include "ScanNetAnnotation.h"
+#include "SensFile.h"
 #include "voxeland/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -35,6 +36,7 @@ ScanNetFolderReader::ScanNetFolderReader(const std::string& folder, const Datase
     cameras.colour = readCameraMatrix(intrinsic / "intrinsic_color.txt");
     cameras.registered = false;
     cameras.depthScale = MILLIMETRES;
+    cameras.recordedSizes = SCANNET_SIZES;
     setUp(std::move(frames), cameras);
     if (options.annotation) m_annotation = std::make_unique<ScanNetAnnotation>(m_folder);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnnotatedObjects.h"
+#include "DatasetFiles.h"
 #include "JsonFile.h"
 #include "PlyVertices.h"
 #include "ScanNetCategories.h"
@@ -29,11 +30,11 @@ fs::path findMesh(const fs::path& path)
 {
     if (!fs::is_directory(path)) return path;
     const std::string ending = MESH + ".ply";
-    for (const auto& entry : fs::directory_iterator(path)) {
-        const std::string name = entry.path().filename().string();
+    for (const fs::path& entry : entriesOf(path)) {
+        const std::string name = entry.filename().string();
         if (name.size() > ending.size() &&
             name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
-            return entry.path();
+            return entry;
     }
     throw InputError("there is no SCENE" + ending + " in " + path.string() + ".");
 }

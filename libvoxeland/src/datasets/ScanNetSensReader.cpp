@@ -67,9 +67,8 @@ RgbdRecord ScanNetSensReader::read(size_t index) const
     RgbdRecord record;
     record.robotPose = poseFromNumbers(frame.cameraToWorld);
     record.scan = mrpt::obs::CObservation3DRangeScan::Create();
-    const std::string name = frames()[index].image;
-    setDepth(*record.scan, file.depth(index), name);
-    setColour(*record.scan, file.colour(index), name);
+    setDepth(*record.scan, file.depth(index));
+    setColour(*record.scan, file.colour(index));
     record.scan->timestamp =
         m_content->timed
             ? mrpt::Clock::fromDouble(SCANNET_EPOCH + 1e-6 * static_cast<double>(frame.depthTime))
@@ -88,9 +87,8 @@ std::unique_ptr<RgbdDatasetReader> openScanNet(const std::string& path,
 {
     if (isSens(path)) return std::make_unique<ScanNetSensReader>(path, options);
     if (fs::is_directory(path) && !fs::exists(fs::path(path) / "color"))
-        for (const auto& entry : fs::directory_iterator(path))
-            if (isSens(entry.path()))
-                return std::make_unique<ScanNetSensReader>(entry.path().string(), options);
+        for (const fs::path& file : entriesOf(path))
+            if (isSens(file)) return std::make_unique<ScanNetSensReader>(file.string(), options);
     return std::make_unique<ScanNetFolderReader>(path, options);
 }
 }  // namespace voxeland

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnnotatedObjects.h"
+#include "DatasetFiles.h"
 #include "PlyVertices.h"
 #include "voxeland/datasets/GroundTruth.h"
 #include "voxeland/errors.h"
@@ -18,8 +19,7 @@ namespace
 fs::path findMesh(const fs::path& path)
 {
     if (!fs::is_directory(path)) return path;
-    for (const auto& entry : fs::directory_iterator(path)) {
-        const fs::path& file = entry.path();
+    for (const fs::path& file : entriesOf(path)) {
         if (file.extension() == ".ply" && fs::exists(fs::path(file).replace_extension(".xml")))
             return file;
     }

@@ -18,7 +18,8 @@ namespace
 {
 constexpr double EPOCH = 1451606400;  // 2016-01-01 00:00:00 UTC
 constexpr double MILLIMETRES = 1000;
-const PinholeCamera DEFAULT_CAMERA = {544.47329, 544.47329, 320, 240, {}};
+constexpr ImageSize RECORDED = {640, 480};
+const PinholeCamera DEFAULT_CAMERA = {544.47329, 544.47329, 320, 240, {}, RECORDED};
 
 PinholeCamera cameraFrom(const fs::path& file)
 {
@@ -35,11 +36,11 @@ PinholeCamera cameraFrom(const fs::path& file)
 fs::path findTrajectory(const fs::path& folder)
 {
     const std::string ending = "trajectory.log";
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
+    for (const fs::path& entry : entriesOf(folder)) {
+        const std::string name = entry.filename().string();
         if (name.size() >= ending.size() &&
             name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
-            return entry.path();
+            return entry;
     }
     throw InputError("there is no trajectory.log in " + folder.string());
 }
@@ -48,8 +49,8 @@ bool isRecording(const fs::path& path)
 {
     if (path.extension() == ".oni") return true;
     if (!fs::is_directory(path)) return false;
-    for (const auto& entry : fs::directory_iterator(path))
-        if (entry.path().extension() == ".oni") return true;
+    for (const fs::path& entry : entriesOf(path))
+        if (entry.extension() == ".oni") return true;
     return false;
 }
 }  // namespace
@@ -72,7 +73,7 @@ SceneNNReader::SceneNNReader(const std::string& folder, const DatasetOptions& op
                          " tool writes");
     m_firstImage = frames.front().number == 0 ? 0 : 1;
     readTrajectory();
-    setUp(std::move(frames), registeredCameras(findCamera(), MILLIMETRES));
+    setUp(std::move(frames), registeredCameras(findCamera(), MILLIMETRES, {RECORDED}));
     if (options.annotation) m_annotation = std::make_unique<SceneNNAnnotation>(folder);
 }
 

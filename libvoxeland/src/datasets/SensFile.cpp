@@ -3,6 +3,7 @@
 
 #include "ImageFiles.h"
 #include "voxeland/errors.h"
+#include "voxeland/observations/UnusableFrame.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -20,6 +21,7 @@ static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, ".sens files are little
 
 constexpr uint32_t VERSION = 4;
 constexpr uint64_t LONGEST_NAME = 10000;
+constexpr uint64_t FRAME_HEADER = 96;      // bytes: a pose, two times and two sizes
 constexpr uint32_t LARGEST_IMAGE = 32768;  // pixels a side
 
 enum Compression : int32_t
@@ -81,6 +83,7 @@ void SensFile::readHeader(std::istream& in)
     if (nameLength > LONGEST_NAME) throw InputError(m_file + " is damaged: so long a sensor name");
     in.ignore(static_cast<std::streamsize>(nameLength));
     m_cameras.registered = false;
+    m_cameras.recordedSizes = SCANNET_SIZES;
     m_cameras.colour = readCamera(in);
     m_cameras.depth = readCamera(in);
     m_colourCompression = read<int32_t>(in);
@@ -107,7 +110,7 @@ void SensFile::readFrames(std::istream& in, uint64_t count)
 {
     for (uint64_t i = 0; i < count; ++i) {
         const std::string where = "frame " + std::to_string(i) + " of " + std::to_string(count);
-        if (in.peek() == std::istream::traits_type::eof()) truncated(where);
+        if (m_size - static_cast<uint64_t>(in.tellg()) < FRAME_HEADER) truncated(where);
         Frame frame;
         frame.cameraToWorld = readMatrix(in);
         read<uint64_t>(in);  // time of colour
@@ -127,19 +130,17 @@ cv::Mat SensFile::colour(size_t index) const
 {
     const Frame& frame = m_frames[index];
     const auto bytes = bytesAt(frame.at, frame.colourBytes);
-    const std::string name = nameOf(index, "colour");
     cv::Mat image(m_colourHeight, m_colourWidth, CV_8UC3);
     if (m_colourCompression != RAW) {
-        image = decodeImage(bytes, name);
+        image = decodeImage(bytes, "colour image");
     } else {
         if (bytes.size() != image.total() * image.elemSize())
-            throw InputError(name + " has " + std::to_string(bytes.size()) +
-                             " bytes, which is not its size");
+            throw UnusableFrame("colour image is of another size than the header says");
         std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(image.data));
         cv::cvtColor(image, image, cv::COLOR_RGB2BGR);
     }
     if (image.cols != m_colourWidth || image.rows != m_colourHeight)
-        throw InputError(name + " is not of the size that the header says");
+        throw UnusableFrame("colour image is of another size than the header says");
     return image;
 }
 
@@ -158,7 +159,7 @@ cv::Mat SensFile::depth(size_t index) const
     } else if (whole) {
         std::memcpy(image.data, bytes.data(), expected);
     }
-    if (!whole) throw InputError(nameOf(index, "depth") + " is damaged or of another size");
+    if (!whole) throw UnusableFrame("depth image is damaged or of another size");
     return image;
 }
 
@@ -170,12 +171,6 @@ std::vector<char> SensFile::bytesAt(uint64_t offset, uint64_t count) const
     if (!in.read(bytes.data(), static_cast<std::streamsize>(count)))
         throw InputError("cannot read " + m_file);
     return bytes;
-}
-
-std::string SensFile::nameOf(size_t index, const char* image) const
-{
-    return std::string("the ") + image + " image of frame " + std::to_string(index) + " of " +
-           m_file;
 }
 
 void SensFile::truncated(const std::string& where) const

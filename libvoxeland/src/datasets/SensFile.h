@@ -11,6 +11,9 @@
 
 namespace voxeland
 {
+/** Sizes in which ScanNet recorded colour and depth. */
+inline const std::vector<ImageSize> SCANNET_SIZES = {{1296, 968}, {640, 480}};
+
 /** Layout of a file in ScanNet's `.sens` format, version 4, and access to its frames one at a time.
  */
 class SensFile
@@ -34,9 +37,9 @@ class SensFile
     /** Whether the file says that the cameras are at different places. */
     [[nodiscard]] bool hasExtrinsics() const { return m_hasExtrinsics; }
 
-    /** Colour image of a frame. \throws InputError if it is damaged */
+    /** Colour image of a frame. \throws UnusableFrame if it is damaged */
     [[nodiscard]] cv::Mat colour(size_t index) const;
-    /** Depth image of a frame, 16 bit. \throws InputError if it is damaged */
+    /** Depth image of a frame, 16 bit. \throws UnusableFrame if it is damaged */
     [[nodiscard]] cv::Mat depth(size_t index) const;
 
  private:
@@ -47,7 +50,6 @@ class SensFile
     std::vector<double> readMatrix(std::istream& in) const;
     PinholeCamera readCamera(std::istream& in);
     [[nodiscard]] std::vector<char> bytesAt(uint64_t offset, uint64_t count) const;
-    [[nodiscard]] std::string nameOf(size_t index, const char* image) const;
     [[noreturn]] void truncated(const std::string& where) const;
 
     std::string m_file;

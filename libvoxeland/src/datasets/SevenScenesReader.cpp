@@ -18,7 +18,8 @@ namespace
 {
 constexpr double EPOCH = 1356998400;  // 2013-01-01 00:00:00 UTC, when the dataset appeared
 constexpr double MILLIMETRES = 1000;
-const PinholeCamera DEFAULT_CAMERA = {585, 585, 320, 240, {}};
+constexpr ImageSize RECORDED = {640, 480};
+const PinholeCamera DEFAULT_CAMERA = {585, 585, 320, 240, {}, RECORDED};
 
 /** Paths up to the frame number, by number. */
 std::map<int64_t, fs::path> findFrames(const fs::path& folder)
@@ -36,10 +37,9 @@ std::map<int64_t, fs::path> findFrames(const fs::path& folder)
 std::vector<fs::path> findSequences(const fs::path& folder)
 {
     std::vector<fs::path> sequences;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.is_directory() && entry.path().filename().string().rfind("seq-", 0) == 0)
-            sequences.push_back(entry.path());
-    std::sort(sequences.begin(), sequences.end());
+    for (const fs::path& entry : entriesOf(folder))
+        if (fs::is_directory(entry) && entry.filename().string().rfind("seq-", 0) == 0)
+            sequences.push_back(entry);
     if (sequences.empty()) sequences.push_back(folder);
     return sequences;
 }
@@ -77,7 +77,8 @@ SevenScenesReader::SevenScenesReader(const std::string& folder, const DatasetOpt
         throw InputError(folder +
                          " holds neither frame-NNNNNN.color.png files nor seq-NN folders"
                          " with them, as 7-Scenes has");
-    setUp(std::move(frames), registeredCameras(cameraOf(sequences.front()), MILLIMETRES));
+    setUp(std::move(frames),
+          registeredCameras(cameraOf(sequences.front()), MILLIMETRES, {RECORDED}));
 }
 
 RgbdRecord SevenScenesReader::read(size_t index) const

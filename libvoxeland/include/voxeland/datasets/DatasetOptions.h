@@ -11,6 +11,8 @@ struct DatasetOptions
 {
     /** Camera of the depth images, and of the colour images where those are registered to it. */
     std::optional<PinholeCamera> camera;
+    /** Camera of the colour images; those of a dataset that registers them then are not. */
+    std::optional<PinholeCamera> colourCamera{};
     /** Numbers in a depth image that make a metre. */
     std::optional<double> depthScale;
     /** The dataset's poses are world-to-camera transforms. */
@@ -18,5 +20,7 @@ struct DatasetOptions
     /** The dataset's own annotation serves as predictions, see RgbdRecord::instances: objects with
      *  their true category, a score of 1 and their ids as tracks. */
     bool annotation = false;
+    /** A frame that cannot be used is an error. */
+    bool strict = false;
 };
 }  // namespace voxeland

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/datasets/DatasetOptions.h"
+#include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/rawlogs/RgbdRawlogWriter.h"
 
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,6 @@ struct SkippedFrame
 {
     DatasetFrame frame;
     std::string reason;  //!< e.g. "no pose file"
-};
-
-/** Thrown by readers for a frame that cannot be used, the rest of the dataset being fine. */
-struct UnusableFrame : std::runtime_error
-{
-    using std::runtime_error::runtime_error;
 };
 
 /** Reads the frames of a public RGB-D dataset one after another. A dataset's own class lists the
@@ -56,7 +51,8 @@ class RgbdDatasetReader
 
     /** Reads the next selected frame that can be used; the unusable ones before it are added to
      *  skipped(). \return false if there are no more
-     *  \throws InputError, naming the file, if the dataset is corrupt */
+     *  \throws InputError, naming the file, if the dataset is corrupt, and for an unusable frame if
+     *  the options are strict */
     bool next(RgbdRecord& record);
     /** Reads one frame, selected or not.
      *  \param index position in frames()
@@ -72,11 +68,14 @@ class RgbdDatasetReader
  protected:
     explicit RgbdDatasetReader(const DatasetOptions& options) : m_options(options) {}
 
-    /** To be called once, by the constructor. The user's own calibration wins over `cameras`. */
+    /** To be called once, as the last of what read() needs, by the constructor. The user's own
+     *  calibration wins over `cameras`. Some frames are read to learn the size of the images.
+     *  \throws InputError if it cannot be that of the cameras, see fittedCamera() */
     void setUp(std::vector<DatasetFrame> frames, const DatasetCameras& cameras);
     void addNote(const std::string& sentence) { m_notes.push_back(sentence); }
     [[nodiscard]] const DatasetOptions& options() const { return m_options; }
-    /** Reads time, images and pose of a frame.
+    /** Reads time, images and pose of a frame; what it throws as UnusableFrame is the reason in a
+     *  few words, such as "no pose file".
      *  \param index position in frames()
      *  \throws UnusableFrame to have it skipped, InputError to give up */
     [[nodiscard]] virtual RgbdRecord read(size_t index) const = 0;
@@ -86,10 +85,26 @@ class RgbdDatasetReader
                                                                   const RgbdRecord& record) const;
 
  private:
+    /** Sizes of the two images of a frame. */
+    struct FrameSizes
+    {
+        ImageSize depth, colour;
+
+        [[nodiscard]] bool operator<(const FrameSizes& o) const
+        {
+            return depth == o.depth ? colour < o.colour : depth < o.depth;
+        }
+    };
+
     [[nodiscard]] bool isSelected(size_t index) const;
+    [[nodiscard]] static FrameSizes sizesOf(const RgbdRecord& record);
+    /** Sizes of most frames, of a few all over the dataset; nothing if none of them can be read. */
+    [[nodiscard]] std::optional<FrameSizes> usualSizes() const;
+    void fitCameras();
 
     DatasetOptions m_options;
     DatasetCameras m_cameras;
+    std::optional<FrameSizes> m_sizes;
     std::vector<DatasetFrame> m_frames;
     std::vector<SkippedFrame> m_skipped;
     std::vector<std::string> m_notes;
