@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkFrames.h"
 
-#include "voxeland/datasets/CocoPredictions.h"
+#include "voxeland/datasets/MatchedPredictions.h"
 #include "voxeland/datasets/SevenScenesReader.h"
 #include "voxeland/simulation/Simulator.h"
 
@@ -26,9 +26,10 @@ BenchmarkFrames kitchen(const std::filesystem::path& folder)
     BenchmarkFrames result{"7-Scenes RedKitchen (real)", {}};
     SevenScenesReader reader(folder.string());
     reader.select(0, FRAMES * EVERY - 1, EVERY);
-    const CocoPredictions predictions((folder / "predictions_coco.json").string());
+    const CocoPredictions recorded((folder / "predictions_coco.json").string());
+    MatchedPredictions predictions(recorded, reader.frames());
     for (RgbdRecord record; reader.next(record);) {
-        record.instances = predictions.instancesFor(reader.frame(), 640, 480);
+        record.instances = predictions.instancesFor(reader.position(), 640, 480);
         result.frames.push_back(frameOf(record));
     }
     return result;

@@ -22,8 +22,8 @@ const char* const DESCRIPTION = R"(Adds a detector's predictions to a rawlog wit
   rawlog-add-instances -i k.rawlog --coco results.json --embed -o embedded.rawlog
   rawlog-add-instances -i k.rawlog --dnn yolov8.ini -o k.rawlog
 
-They come from a file, or from a network that looks at the colour images (--dnn). image_id counts
-the rawlog's RGB-D frames from 0. The predictions go to the file NAME.instances.rawlog beside the
+They come from a file, or from a network that looks at the colour images (--dnn). image_id is the
+name of a frame's image or of one that the file lists, else it counts the RGB-D frames from 0. The predictions go to the file NAME.instances.rawlog beside the
 output NAME.rawlog, which is a copy of the input unless both are the same; its external images are
 found through a link. With --embed they go into the output, which then needs programs that load
 libvoxeland.)";
@@ -41,12 +41,14 @@ struct Arguments : apps::CommandLine
                                        "LABEL",
                                        parser()};
     TCLAP::SwitchArg embed{"", "embed", "Put the predictions into the rawlog", parser()};
+    TCLAP::SwitchArg strict{"", "strict",
+                            "What is odd is an error, instead of left out and counted", parser()};
     apps::SetArgument set{"network's INI", parser()};
     TCLAP::ValueArg<std::string> categories{
         "",
         "categories",
-        "Names of the categories the predictions give numbers of: JSON as COCO has,"
-        " or CSV lines 'id,name' (default: COCO's 91)",
+        "Names of the categories the predictions give numbers of: JSON as COCO has, CSV lines "
+        "'id,name', names alone, or data.yaml (default: COCO's)",
         false,
         "",
         "FILE",
@@ -98,8 +100,13 @@ AddedPredictions add(Arguments& arguments)
         const CocoPredictions recorded(arguments.coco.getValue(),
                                        arguments.categories.isSet()
                                            ? readCategoryNames(arguments.categories.getValue())
-                                           : CategoryNames());
-        return addPredictions(in, recorded, out, options, progress);
+                                           : CategoryNames(),
+                                       arguments.strict.isSet());
+        MatchedPredictions matched(recorded, rgbdFramesOf(in, options.sensorLabel));
+        const auto added = addPredictions(in, recordedPredictions(matched), out, options, progress);
+        for (const std::string& note : matched.notes()) arguments.note(note);
+        for (const std::string& warning : matched.warnings()) arguments.warn(warning);
+        return added;
     }
     const auto converter = network(arguments);
     const PredictionSource seen = [&](size_t, const mrpt::obs::CObservation3DRangeScan& scan) {
@@ -112,8 +119,6 @@ void printSummary(const AddedPredictions& added, Arguments& arguments)
 {
     const RawlogFiles files(arguments.output.getValue());
     std::cout << "frames: " << added.frames << "\npredictions: " << added.predictions;
-    if (added.predictionsWithoutFrame > 0)
-        std::cout << ", and " << added.predictionsWithoutFrame << " of frames that do not exist";
     std::cout << "\n";
     if (added.replaced > 0)
         std::cout << "replaced: predictions of " << counted(added.replaced, "frame") << "\n";

@@ -62,6 +62,8 @@ struct Arguments : apps::CommandLine
         "", "from", "First frame to take, by number (default: 0)", false, 0, "N", parser()};
     TCLAP::ValueArg<size_t> every{
         "", "every", "Take every so-manieth frame only (default: 1)", false, 1, "N", parser()};
+    TCLAP::SwitchArg strict{"", "strict",
+                            "What is odd is an error, instead of left out and counted", parser()};
     TCLAP::SwitchArg invertPoses{"", "invert-poses",
                                  "The dataset's poses are world-to-camera transforms", parser()};
     TCLAP::ValueArg<double> depthScale{
@@ -101,8 +103,8 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<std::string> categories{
         "",
         "categories",
-        "Names of the categories the predictions give numbers of: JSON as COCO has, or CSV lines "
-        "'id,name' (default: COCO's 91)",
+        "Names of the categories the predictions give numbers of: JSON as COCO has, CSV lines "
+        "'id,name', names alone, or data.yaml (default: COCO's)",
         false,
         "",
         "FILE",
@@ -110,8 +112,10 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<std::string> predictions{
         "",
         "predictions",
-        "A detector's predictions in the COCO results format, image_id being the frame number; or "
-        "gt: the dataset's own annotation, with its objects as tracks (scannet, scenenn)",
+        "A detector's predictions in the COCO results format; image_id is the frame's number, or "
+        "the "
+        "name of its image, or of an image the file lists; or gt: the dataset's own annotation, "
+        "with its objects as tracks (scannet, scenenn)",
         false,
         "",
         "FILE.json|gt",
@@ -197,8 +201,6 @@ void printPredictions(const ImportSummary& summary)
     std::cout << "predictions: " << summary.predictions;
     if (summary.predictionsLeftOut > 0)
         std::cout << ", and " << summary.predictionsLeftOut << " of frames that were left out";
-    if (summary.predictionsWithoutFrame > 0)
-        std::cout << ", and " << summary.predictionsWithoutFrame << " of frames that do not exist";
     std::cout << "\n";
 }
 
@@ -229,7 +231,7 @@ std::optional<CocoPredictions> readPredictions(Arguments& arguments)
     if (!arguments.predictions.isSet() || arguments.wantsAnnotation()) return std::nullopt;
     CategoryNames names;
     if (arguments.categories.isSet()) names = readCategoryNames(arguments.categories.getValue());
-    return CocoPredictions(arguments.predictions.getValue(), names);
+    return CocoPredictions(arguments.predictions.getValue(), names, arguments.strict.isSet());
 }
 
 RgbdRawlogWriter::Options writerOptions(Arguments& arguments, const RgbdDatasetReader& dataset)
@@ -245,7 +247,9 @@ int makeRawlog(Arguments& arguments)
 {
     const std::string& output = arguments.output.getValue();
     const auto dataset = open(arguments);
-    const auto predictions = readPredictions(arguments);
+    const auto recorded = readPredictions(arguments);
+    std::optional<MatchedPredictions> predictions;
+    if (recorded) predictions.emplace(*recorded, dataset->frames());
     RgbdRawlogWriter writer(output, writerOptions(arguments, *dataset));
     ImportSummary summary;
     {
@@ -260,6 +264,10 @@ int makeRawlog(Arguments& arguments)
     printNotes(*dataset);
     printSkipped(dataset->skipped());
     if (arguments.predictions.isSet()) printPredictions(summary);
+    if (predictions) {
+        for (const std::string& note : predictions->notes()) arguments.note(note);
+        for (const std::string& warning : predictions->warnings()) arguments.warn(warning);
+    }
     printSizes(RawlogFiles(output));
     return 0;
 }

@@ -96,6 +96,37 @@ TEST_F(RawlogAddInstances, aNumberWithoutANameSaysHowToGiveIt)
         3, "category_id 500 has no name: give the names with --categories");
 }
 
+TEST_F(RawlogAddInstances, saysHowImagesWereMatchedAndWhatWasLeftOut)
+{
+    const std::string good = R"({"image_id": 1, "category_id": 500, "segmentation":
+                                 {"size": [24, 32], "counts": [0, 768]}})";
+    test::writeFile(path("coco.json"), R"({"images": [{"id": 1, "file_name": "a.png"},
+                                                      {"id": 2, "file_name": "b.png"}],
+                                           "annotations": [)" +
+                                           good +
+                                           R"(, {"image_id": 2, "category_id": 500,
+                                                 "segmentation": []}]})");
+    const auto result = add(path("out.rawlog"));
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(result.output.find("predictions: 1\n"), std::string::npos);
+    EXPECT_NE(result.errors.find("in the order of the file's images"), std::string::npos)
+        << result.errors;
+    EXPECT_NE(result.errors.find("left out: 1 odd entry: " + path("coco.json") +
+                                 ": prediction 1 (image_id 2): segmentation is empty"),
+              std::string::npos)
+        << result.errors;
+    expectSentence(add(path("strict.rawlog"), {"--strict"}), 3, "segmentation is empty");
+    EXPECT_FALSE(fs::exists(path("strict.rawlog")));
+    const auto imported = test::runProgram(
+        "rgbd2rawlog", {"-f", "7scenes", "-i", path("seq-01"), "-o", path("im.rawlog"),
+                        "--predictions", path("coco.json"), "--categories", path("names.csv")});
+    EXPECT_EQ(imported.exitCode, 0) << imported.errors;
+    EXPECT_NE(imported.errors.find("in the order of the file's images"), std::string::npos)
+        << imported.errors;
+    EXPECT_EQ(test::readFile(path("im.instances.rawlog")),
+              test::readFile(path("out.instances.rawlog")));
+}
+
 TEST_F(RawlogAddInstances, aTruncatedRawlogEndsWithThree)
 {
     const std::string whole = test::readFile(path("in.rawlog"));

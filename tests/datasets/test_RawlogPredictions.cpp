@@ -32,9 +32,9 @@ class RawlogPredictionsTest : public testing::Test
  protected:
     RawlogPredictionsTest()
     {
-        // One chair in frame 0, two in frame 2, one in a frame that does not exist.
+        // One chair in frame 0, two in frame 2.
         std::string text;
-        for (const int image : {0, 2, 2, 7})
+        for (const int image : {0, 2, 2})
             text += (text.empty() ? "[" : ",") +
                     (R"({"image_id": )" + std::to_string(image) +
                      R"(, "category_id": 62, "segmentation": {"size": [2, 2], "counts": "112"}})");
@@ -62,8 +62,10 @@ class RawlogPredictionsTest : public testing::Test
         AddPredictionsOptions options;
         options.embed = embed;
         options.sensorLabel = label;
-        return addPredictions(path(input), CocoPredictions(path("coco.json")), path(output),
-                              options, [](size_t, double) {});
+        const CocoPredictions recorded(path("coco.json"));
+        MatchedPredictions matched(recorded, rgbdFramesOf(path(input), label));
+        return addPredictions(path(input), recordedPredictions(matched), path(output), options,
+                              [](size_t, double) {});
     }
 
     [[nodiscard]] std::vector<mrpt::serialization::CSerializable::Ptr> read(
@@ -115,7 +117,6 @@ TEST_F(RawlogPredictionsTest, writesASidecarBesideACopy)
     const auto added = add("out.rawlog", false);
     EXPECT_EQ(added.frames, 3U);
     EXPECT_EQ(added.predictions, 3U);
-    EXPECT_EQ(added.predictionsWithoutFrame, 1U);
     EXPECT_FALSE(added.imagesLinked);
     EXPECT_EQ(test::readFile(path("out.rawlog")), test::readFile(path("in.rawlog")));
     EXPECT_EQ(classes("out.instances.rawlog"), (Classes{INSTANCES, INSTANCES, INSTANCES}));
@@ -200,9 +201,8 @@ TEST_F(RawlogPredictionsTest, severalSensorsNeedAChoice)
 {
     writeObservations("OTHER");
     EXPECT_THROW(add("out.rawlog", false), ConfigurationError);
-    const auto added = add("out.rawlog", false, "OTHER");
-    EXPECT_EQ(added.frames, 1U);
-    EXPECT_EQ(added.predictions, 1U);
+    EXPECT_EQ(rgbdFramesOf(path("in.rawlog"), "RGBD").size(), 2U);
+    EXPECT_EQ(rgbdFramesOf(path("in.rawlog"), "OTHER").size(), 1U);
     EXPECT_THROW(add("out.rawlog", false, "THIRD"), NothingToMapError);
 }
 

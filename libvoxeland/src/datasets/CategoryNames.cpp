@@ -2,53 +2,159 @@
 #include "voxeland/datasets/CategoryNames.h"
 
 #include "JsonFile.h"
-#include "TextFile.h"
+#include "YamlNames.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/Csv.h"
+#include "voxeland/files/TextFile.h"
+#include "voxeland/numbers.h"
+#include "voxeland/trimmed.h"
 
-#include <cstdlib>
-#include <sstream>
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+using nlohmann::json;
 
 namespace voxeland
 {
 namespace
 {
-CategoryNames fromJson(const nlohmann::json& json)
+/** {"id": number, "name": text}, or a name alone, which the place in the list numbers. */
+void addEntry(CategoryNames& names, size_t place, const json& entry)
+{
+    if (entry.is_string())
+        names[static_cast<int64_t>(place)] = entry.get<std::string>();
+    else
+        names[entry.at("id").get<int64_t>()] = entry.at("name").get<std::string>();
+}
+
+/** {"number": name} or {"name": number}. \return false if it is neither */
+bool addPair(CategoryNames& names, const std::string& key, const json& value)
+{
+    const auto number = parsed<int64_t>(key);
+    if (value.is_number_integer())
+        names[value.get<int64_t>()] = key;
+    else if (number && value.is_string())
+        names[*number] = value.get<std::string>();
+    else
+        return false;
+    return true;
+}
+
+CategoryNames fromJson(const json& root, const std::string& source)
 {
     CategoryNames names;
-    const auto& list = json.is_object() ? json.at("categories") : json;
-    for (size_t i = 0; i < list.size(); ++i) {
-        const auto& entry = list.at(i);
-        if (entry.is_string())
-            names[static_cast<int64_t>(i)] = entry.get<std::string>();
-        else
-            names[entry.at("id").get<int64_t>()] = entry.at("name").get<std::string>();
+    if (root.is_object()) {
+        for (const char* key : {"categories", "names", "id2label"})
+            if (root.contains(key)) return fromJson(root.at(key), source);
+        for (const auto& [key, value] : root.items())
+            if (!addPair(names, key, value))
+                throw InputError(source + ": '" + key +
+                                 "' is neither a category number with a name nor \"categories\"");
+    } else {
+        for (size_t i = 0; i < root.size(); ++i) addEntry(names, i, root.at(i));
+    }
+    return names;
+}
+
+/** Where a table has its numbers and its names. */
+struct Columns
+{
+    size_t number = 0, name = 1;
+};
+
+/** What the first row says if it is a header. */
+Columns columnsOf(const CsvRow& header)
+{
+    const auto at = [&](const std::vector<std::string>& titles, size_t otherwise) {
+        for (size_t i = 0; i < header.fields.size(); ++i) {
+            std::string title = header.fields[i];
+            std::transform(title.begin(), title.end(), title.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            if (std::find(titles.begin(), titles.end(), title) != titles.end()) return i;
+        }
+        return otherwise;
+    };
+    const size_t number = at({"id", "index", "number", "category_id", "class_id", "label_id"}, 0);
+    return {number, at({"name", "category", "label", "class", "category_name", "class_name"},
+                       number == 1 ? 0 : 1)};
+}
+
+[[noreturn]] void failAt(const CsvRow& row, const std::string& source, const std::string& problem)
+{
+    throw InputError("line " + std::to_string(row.line) + " of " + source + " " + problem +
+                     ": 'number,name' is expected");
+}
+
+/** "62 chair" and "62: chair" as two fields; nothing if it is anything else. */
+std::optional<CsvRow> dividedAtNumber(const CsvRow& row)
+{
+    const std::string& text = row.fields.front();
+    const size_t end = text.find_first_of(" \t:");
+    if (end == std::string::npos || !parsed<int64_t>(text.substr(0, end))) return std::nullopt;
+    return CsvRow{row.line, {text.substr(0, end), trimmed(text.substr(end + 1))}};
+}
+
+/** Lines of a name each, numbered from 0. */
+CategoryNames namesAlone(const std::vector<CsvRow>& rows, const std::string& source)
+{
+    CategoryNames names;
+    for (const CsvRow& row : rows) {
+        const std::string& name = row.fields.front();
+        if (parsed<double>(name) || name.find_first_of(":{}[]") != std::string::npos)
+            failAt(row, source, "is no name of a category");
+        names.emplace(static_cast<int64_t>(names.size()), name);
+    }
+    return names;
+}
+
+CategoryNames fromTable(std::vector<CsvRow> rows, const std::string& source)
+{
+    const auto isAlone = [](const CsvRow& row) { return row.fields.size() == 1; };
+    if (std::all_of(rows.begin(), rows.end(), isAlone)) {
+        if (!std::all_of(rows.begin(), rows.end(), dividedAtNumber))
+            return namesAlone(rows, source);
+        for (CsvRow& row : rows) row = *dividedAtNumber(row);
+    }
+    CategoryNames names;
+    auto row = rows.begin();
+    const bool hasHeader = std::none_of(row->fields.begin(), row->fields.end(),
+                                        [](const auto& f) { return parsed<int64_t>(f); });
+    const Columns columns = columnsOf(hasHeader ? *row++ : CsvRow());
+    for (; row != rows.end(); ++row) {
+        const auto& fields = row->fields;
+        if (fields.size() <= std::max(columns.number, columns.name))
+            failAt(*row, source, "has too few fields");
+        const auto number = parsed<int64_t>(fields[columns.number]);
+        const std::string& name = fields[columns.name];
+        if (!number)
+            failAt(*row, source,
+                   "has '" + fields[columns.number] + "' where a category's number should be");
+        if (name.empty()) failAt(*row, source, "has no name");
+        const auto [known, isNew] = names.emplace(*number, name);
+        if (!isNew && known->second != name)
+            failAt(*row, source, "names category " + fields[columns.number] + " anew");
     }
     return names;
 }
 }  // namespace
 
-CategoryNames categoryNamesFromCsv(const std::string& text)
+CategoryNames categoryNamesFromTable(const std::string& text, const std::string& source)
 {
-    CategoryNames names;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        char* end = nullptr;
-        const int64_t id = std::strtoll(line.c_str(), &end, 10);
-        if (end != line.c_str() && *end == ',' && end[1] != '\0') names[id] = end + 1;
-    }
-    return names;
+    if (const auto names = namesFromYaml(text, source)) return *names;
+    const auto rows = parseCsv(text, source);
+    return rows.empty() ? CategoryNames() : fromTable(rows, source);
 }
 
 CategoryNames readCategoryNames(const std::string& file)
 {
-    const std::string text = readTextFile(file);
+    const std::string text = readTextFile(file, "category names");
     const size_t first = text.find_first_not_of(" \t\r\n");
     const bool isJson = first != std::string::npos && (text[first] == '{' || text[first] == '[');
     CategoryNames names;
     try {
-        names = isJson ? fromJson(parseJson(text, file)) : categoryNamesFromCsv(text);
-    } catch (const nlohmann::json::exception&) {
+        names = isJson ? fromJson(parseJson(text, file), file) : categoryNamesFromTable(text, file);
+    } catch (const json::exception&) {
         throw InputError(file + ": every category needs a number \"id\" and a text \"name\"");
     }
     if (names.empty())

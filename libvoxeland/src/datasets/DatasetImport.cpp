@@ -17,21 +17,21 @@ namespace
 struct ReadFrame
 {
     RgbdRecord record;
-    DatasetFrame frame;
+    size_t position;
     size_t done;
 };
 
-void attachPredictions(const CocoPredictions& predictions, ReadFrame& read)
+void attachPredictions(MatchedPredictions& predictions, ReadFrame& read)
 {
     const auto& scan = *read.record.scan;
     const auto& camera = maskCamera(scan);
-    read.record.instances = predictions.instancesFor(read.frame, static_cast<int>(camera.ncols),
+    read.record.instances = predictions.instancesFor(read.position, static_cast<int>(camera.ncols),
                                                      static_cast<int>(camera.nrows));
     if (read.record.instances) attachToScan(*read.record.instances, scan);
 }
 }  // namespace
 
-ImportSummary importDataset(RgbdDatasetReader& dataset, const CocoPredictions* predictions,
+ImportSummary importDataset(RgbdDatasetReader& dataset, MatchedPredictions* predictions,
                             RgbdRawlogWriter& writer,
                             const std::function<void(size_t done)>& progress)
 {
@@ -41,11 +41,17 @@ ImportSummary importDataset(RgbdDatasetReader& dataset, const CocoPredictions* p
     const auto readNext = [&]() -> std::optional<ReadFrame> {
         RgbdRecord record;
         if (!dataset.next(record)) return std::nullopt;
-        return ReadFrame{record, dataset.frame(), ++usable + dataset.skipped().size()};
+        return ReadFrame{record, dataset.position(), ++usable + dataset.skipped().size()};
     };
+    if (predictions)
+        for (size_t i = 0; i < dataset.frames().size(); ++i)
+            summary.predictionsLeftOut += predictions->countFor(i);
     for (auto read = readNext(); read;) {
         auto next = std::async(std::launch::async, readNext);
-        if (predictions) attachPredictions(*predictions, *read);
+        if (predictions) {
+            attachPredictions(*predictions, *read);
+            summary.predictionsLeftOut -= predictions->countFor(read->position);
+        }
         if (read->record.instances) summary.predictions += read->record.instances->instances.size();
         writer.write(read->record);
         ++summary.frames;
@@ -57,12 +63,6 @@ ImportSummary importDataset(RgbdDatasetReader& dataset, const CocoPredictions* p
                                 (dataset.skipped().empty() ? ": none is selected"
                                                            : ", the first because of: " +
                                                                  dataset.skipped().front().reason));
-    if (predictions) {
-        size_t ofFrames = 0;
-        for (const auto& frame : dataset.frames()) ofFrames += predictions->countFor(frame);
-        summary.predictionsLeftOut = ofFrames - summary.predictions;
-        summary.predictionsWithoutFrame = predictions->count() - ofFrames;
-    }
     return summary;
 }
 }  // namespace voxeland

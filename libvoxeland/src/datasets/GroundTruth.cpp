@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/GroundTruth.h"
 
-#include "Csv.h"
 #include "PlyVertices.h"
-#include "TextFile.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/Csv.h"
+#include "voxeland/files/TextFile.h"
 #include "voxeland/joined.h"
+#include "voxeland/numbers.h"
 
-#include <charconv>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -34,15 +34,14 @@ std::map<int64_t, uint32_t> readCategories(const fs::path& file, std::vector<std
 {
     std::map<int64_t, uint32_t> positions;
     const std::string text = readTextFile(file.string(), "table of category names");
-    for (const auto& row : parseCsv(text, {"index", "name"}, file.string())) {
-        int64_t index = 0;
-        const char* end = row[0].data() + row[0].size();
-        const auto parsed = std::from_chars(row[0].data(), end, index);
-        if (parsed.ec != std::errc() || parsed.ptr != end)
-            throw InputError("'" + row[0] + "' in " + file.string() + " is not a category number.");
-        if (!positions.emplace(index, static_cast<uint32_t>(names.size())).second)
-            throw InputError(file.string() + " names category " + row[0] + " twice.");
-        names.push_back(row[1]);
+    for (const CsvRow& row : parseCsv(text, {"index", "name"}, file.string())) {
+        const std::string& number = row.fields[0];
+        const auto index = parsed<int64_t>(number);
+        if (!index)
+            throw InputError("'" + number + "' in " + file.string() + " is not a category number.");
+        if (!positions.emplace(*index, static_cast<uint32_t>(names.size())).second)
+            throw InputError(file.string() + " names category " + number + " twice.");
+        names.push_back(row.fields[1]);
     }
     return positions;
 }

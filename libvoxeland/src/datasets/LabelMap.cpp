@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/LabelMap.h"
 
-#include "Csv.h"
-#include "TextFile.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/Csv.h"
+#include "voxeland/files/TextFile.h"
 
 #include <algorithm>
 #include <cctype>
@@ -24,14 +24,14 @@ std::string normalized(std::string name)
 
 LabelMap::LabelMap(const std::string& csv, std::string source) : m_source(std::move(source))
 {
-    for (const auto& row : parseCsv(csv, {"name", "class"}, "the label map " + m_source)) {
-        const auto at = std::find(m_classes.begin(), m_classes.end(), row[1]);
+    for (const CsvRow& row : parseCsv(csv, {"name", "class"}, "the label map " + m_source)) {
+        const std::string &name = row.fields[0], &label = row.fields[1];
+        const auto at = std::find(m_classes.begin(), m_classes.end(), label);
         const auto id = static_cast<class_id_t>(at - m_classes.begin());
-        if (at == m_classes.end()) m_classes.push_back(row[1]);
-        const auto [entry, isNew] = m_classOf.try_emplace(normalized(row[0]), id);
+        if (at == m_classes.end()) m_classes.push_back(label);
+        const auto [entry, isNew] = m_classOf.try_emplace(normalized(name), id);
         if (!isNew && entry->second != id)
-            throw InputError("the label map " + m_source + " gives '" + row[0] +
-                             "' to two classes.");
+            throw InputError("the label map " + m_source + " gives '" + name + "' to two classes.");
     }
     if (m_classes.empty()) throw InputError("the label map " + m_source + " names no class.");
 }

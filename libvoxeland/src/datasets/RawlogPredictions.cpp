@@ -43,6 +43,15 @@ class FrameCounter
         return instances;
     }
 
+    /** \throws NothingToMapError if there was none */
+    void checkFound() const
+    {
+        if (m_added.frames == 0)
+            throw NothingToMapError(
+                m_rawlog + " has no RGB-D frames" +
+                (m_label.empty() ? "" : " of a sensor labelled '" + m_label + "'"));
+    }
+
     /** What was found so far. */
     [[nodiscard]] const AddedPredictions& added() const { return m_added; }
 
@@ -165,11 +174,7 @@ AddedPredictions addPredictions(const std::string& input, const PredictionSource
     AddedPredictions added = counter.added();
     added.replaced = writer.replaced();
     added.rawlogWritten = options.embed || !inPlace;
-    if (added.frames == 0)
-        throw NothingToMapError(input + " has no RGB-D frames" +
-                                (options.sensorLabel.empty()
-                                     ? ""
-                                     : " of a sensor labelled '" + options.sensorLabel + "'"));
+    counter.checkFound();
     try {
         if (!inPlace && !options.embed) fs::copy_file(source.rawlog, staged.part().rawlog);
         if (!inPlace) added.imagesLinked = linkImages(source.images, staged.part().images);
@@ -180,19 +185,33 @@ AddedPredictions addPredictions(const std::string& input, const PredictionSource
     return added;
 }
 
-AddedPredictions addPredictions(const std::string& input, const CocoPredictions& predictions,
-                                const std::string& output, const AddPredictionsOptions& options,
-                                const std::function<void(size_t frames, double share)>& progress)
+std::vector<DatasetFrame> rgbdFramesOf(const std::string& rawlog, const std::string& sensorLabel)
 {
-    const auto fromFile = [&](size_t number, const CObservation3DRangeScan& scan) {
+    std::vector<DatasetFrame> frames;
+    const PredictionSource list = [&](size_t number, const CObservation3DRangeScan& scan) {
+        const auto& image = scan.intensityImage;
+        frames.push_back({static_cast<int64_t>(number),
+                          image.isExternallyStored() ? image.getExternalStorageFile() : ""});
+        return nullptr;
+    };
+    FrameCounter counter(rawlog, list, sensorLabel);
+    GzInputFile in(rawlog);
+    while (const auto object = in.readObject()) {
+        if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object))
+            for (const auto& observation : *frame) counter.instancesFor(*observation);
+        else if (const auto observation = std::dynamic_pointer_cast<CObservation>(object))
+            counter.instancesFor(*observation);
+    }
+    counter.checkFound();
+    return frames;
+}
+
+PredictionSource recordedPredictions(MatchedPredictions& predictions)
+{
+    return [&](size_t frame, const CObservation3DRangeScan& scan) {
         const auto& camera = maskCamera(scan);
-        const DatasetFrame frame{static_cast<int64_t>(number), {}};
         return predictions.instancesFor(frame, static_cast<int>(camera.ncols),
                                         static_cast<int>(camera.nrows));
     };
-    AddedPredictions added =
-        addPredictions(input, PredictionSource(fromFile), output, options, progress);
-    added.predictionsWithoutFrame = predictions.count() - added.predictions;
-    return added;
 }
 }  // namespace voxeland

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScanNetCategories.h"
 
-#include "TextFile.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/Csv.h"
+#include "voxeland/files/TextFile.h"
+#include "voxeland/numbers.h"
+#include "voxeland/trimmed.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <sstream>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -26,20 +27,6 @@ fs::path findTable(const fs::path& sceneFolder)
                      " or the two folders above: ScanNet provides it, put it there");
 }
 
-/** Cells of a line; blanks are part of them. */
-std::vector<std::string> cellsOf(std::string line)
-{
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    std::vector<std::string> cells(1);
-    for (const char c : line) {
-        if (c == '\t')
-            cells.emplace_back();
-        else
-            cells.back() += c;
-    }
-    return cells;
-}
-
 size_t columnOf(const std::vector<std::string>& header, const std::string& name,
                 const std::string& file)
 {
@@ -52,27 +39,30 @@ size_t columnOf(const std::vector<std::string>& header, const std::string& name,
 ScanNetCategories::ScanNetCategories(const fs::path& sceneFolder)
 {
     const std::string file = findTable(sceneFolder).string();
-    std::istringstream lines(readTextFile(file));
-    std::string line;
-    std::getline(lines, line);
-    const auto header = cellsOf(line);
+    const auto rows = parseCsv(readTextFile(file), file);
+    if (rows.empty()) throw InputError(file + " is empty");
+    const auto& header = rows.front().fields;
     const size_t id = columnOf(header, "id", file), raw = columnOf(header, "raw_category", file),
                  nyu = columnOf(header, "nyu40class", file);
-    for (size_t number = 2; std::getline(lines, line); ++number) {
-        if (line.empty() || line == "\r") continue;
-        const auto cells = cellsOf(line);
-        if (cells.size() <= std::max({id, raw, nyu}))
-            throw InputError("line " + std::to_string(number) + " of " + file + " is cut off");
+    for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+        const auto& cells = row->fields;
+        const auto fail = [&](const std::string& problem) {
+            throw InputError("line " + std::to_string(row->line) + " of " + file + problem);
+        };
+        if (cells.size() <= std::max({id, raw, nyu})) fail(" is cut off");
+        const auto number = parsed<uint32_t>(cells[id]);
+        if (!number) fail(" has the id '" + cells[id] + "', which is not a number");
         const std::string& category = cells[nyu].empty() ? cells[raw] : cells[nyu];
         m_ofRaw[cells[raw]] = category;
-        m_ofNumber[static_cast<uint32_t>(std::strtoul(cells[id].c_str(), nullptr, 10))] = category;
+        m_ofNumber[*number] = category;
     }
 }
 
 std::string ScanNetCategories::ofRaw(const std::string& category) const
 {
-    const auto at = m_ofRaw.find(category);
-    return at == m_ofRaw.end() ? category : at->second;
+    const std::string name = trimmed(category);
+    const auto at = m_ofRaw.find(name);
+    return at == m_ofRaw.end() ? name : at->second;
 }
 
 std::string ScanNetCategories::ofNumber(uint32_t id) const

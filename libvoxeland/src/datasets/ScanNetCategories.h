@@ -8,7 +8,8 @@
 namespace voxeland
 {
 /** ScanNet's table of labels, `scannetv2-labels.combined.tsv`: what its raw categories are among
- *  the 40 classes of NYU. A raw category without such a class keeps its name. */
+ *  the 40 classes of NYU. A raw category without such a class keeps its name. Blanks around names
+ * do not count. */
 class ScanNetCategories
 {
  public:

@@ -2,15 +2,16 @@
 #include "voxeland/pipeline/TimingLog.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/files/Csv.h"
+#include "voxeland/files/TextFile.h"
+#include "voxeland/joined.h"
+#include "voxeland/numbers.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iomanip>
-#include <locale>
 #include <numeric>
 #include <optional>
 #include <ostream>
-#include <sstream>
 
 namespace voxeland
 {
@@ -30,45 +31,35 @@ void printRow(std::ostream& out, const char* name, std::vector<double> seconds)
         << mean * MILLISECONDS << std::setw(9) << seconds.size() << "\n";
 }
 
-std::string csvHeader()
+std::vector<std::string> csvHeader()
 {
-    std::string header = "frame";
-    for (const char* name : STAGE_NAMES) header += std::string(",") + name + "_ms";
+    std::vector<std::string> header = {"frame"};
+    for (const char* name : STAGE_NAMES) header.push_back(std::string(name) + "_ms");
     return header;
 }
 
-/** A line of writeCsv(); nothing if it is anything else. */
-std::optional<StageTimes> parseLine(const std::string& line)
+/** A row of writeCsv(); nothing if it is anything else. */
+std::optional<StageTimes> stageTimesOf(const std::vector<std::string>& fields)
 {
-    std::istringstream in(line);
-    in.imbue(std::locale::classic());
-    size_t frame = 0;
-    in >> frame;
     StageTimes times{};
-    for (double& seconds : times) {
-        char comma = 0;
-        in >> comma >> seconds;
-        seconds /= MILLISECONDS;
-        if (in.fail() || comma != ',') return std::nullopt;
+    if (!parsed<size_t>(fields[0])) return std::nullopt;
+    for (size_t stage = 0; stage < STAGES; ++stage) {
+        const auto milliseconds = parsed<double>(fields[stage + 1]);
+        if (!milliseconds) return std::nullopt;
+        times[stage] = *milliseconds / MILLISECONDS;
     }
-    return in.get() == EOF ? std::optional(times) : std::nullopt;
+    return times;
 }
 }  // namespace
 
 TimingLog TimingLog::fromCsv(const std::string& file)
 {
-    const auto fail = [&](const std::string& problem) {
-        throw InputError("cannot read times from '" + file + "': " + problem);
-    };
-    std::ifstream in(file);
-    if (!in) fail("there is no such file");
-    std::string line;
-    if (!std::getline(in, line) || line != csvHeader())
-        fail("it is no file of rawlog2voxeland's --timing");
     TimingLog log;
-    for (size_t number = 2; std::getline(in, line); ++number) {
-        const auto times = parseLine(line);
-        if (!times) fail("line " + std::to_string(number) + " is damaged");
+    const std::string name = "rawlog2voxeland's --timing " + file;
+    for (const CsvRow& row : parseCsv(readTextFile(file, "times"), csvHeader(), name)) {
+        const auto times = stageTimesOf(row.fields);
+        if (!times)
+            throw InputError("line " + std::to_string(row.line) + " of " + name + " is damaged");
         log.add(*times);
     }
     return log;
@@ -76,7 +67,7 @@ TimingLog TimingLog::fromCsv(const std::string& file)
 
 void TimingLog::writeCsv(std::ostream& out) const
 {
-    out << csvHeader() << "\n";
+    out << joined(csvHeader(), ",") << "\n";
     for (size_t f = 0; f < m_frames.size(); ++f) {
         out << f;
         for (const double seconds : m_frames[f]) out << "," << seconds * MILLISECONDS;

@@ -4,9 +4,8 @@
 #include "voxeland/datasets/CategoryNames.h"
 #include "voxeland/datasets/LabelMap.h"
 #include "voxeland/errors.h"
-
-#include <algorithm>
-#include <fstream>
+#include "voxeland/files/Csv.h"
+#include "voxeland/files/TextFile.h"
 
 namespace voxeland
 {
@@ -25,29 +24,17 @@ std::vector<std::string> inOrder(const CategoryNames& names, const std::string& 
     }
     return list;
 }
-
-/** Lines that are not empty, without carriage returns. */
-std::vector<std::string> linesOf(const std::string& file)
-{
-    std::ifstream in(file);
-    if (!in) throw InputError("cannot open the class names '" + file + "'");
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);) {
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        if (!line.empty()) lines.push_back(line);
-    }
-    return lines;
-}
 }  // namespace
 
 std::vector<std::string> readClassNames(const std::string& file)
 {
-    const auto lines = linesOf(file);
-    if (!lines.empty() && lines.front() == "name,class") return LabelMap::fromFile(file).classes();
-    const bool areNamesAlone = std::none_of(lines.begin(), lines.end(), [](const auto& line) {
-        return line.find_first_of(",[{") != std::string::npos;
-    });
-    if (areNamesAlone && !lines.empty()) return lines;
+    const std::string text = readTextFile(file, "class names");
+    const std::vector<std::string> LABEL_MAP = {"name", "class"};
+    const std::string firstLine = text.substr(0, text.find('\n'));
+    const bool isJson = firstLine.find_first_of("[{") != std::string::npos;
+    const auto rows = isJson ? std::vector<CsvRow>() : parseCsv(firstLine, file);
+    if (!rows.empty() && rows.front().fields == LABEL_MAP)
+        return LabelMap::fromFile(file).classes();
     return inOrder(readCategoryNames(file), file);
 }
 }  // namespace voxeland

@@ -3,7 +3,7 @@
 #include "SmallOnnx.h"
 #include "support/ConfiguredPlugin.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/CocoPredictions.h"
+#include "voxeland/datasets/MatchedPredictions.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
 #include "voxeland/errors.h"
 #include "voxeland/plugins/COpinionConverter.h"
@@ -114,9 +114,10 @@ TEST(DnnConverter, aRealNetworkSeesWhatWasRecordedOfIt)
 {
     SKIP_WITHOUT_REDKITCHEN();
     constexpr size_t EVERY = 10;
-    const CocoPredictions recorded((redkitchen() / "predictions_coco.json").string());
+    const CocoPredictions file((redkitchen() / "predictions_coco.json").string());
     const auto network = realConverter("top_classes = 5\n");
     const auto reader = openDataset("7scenes", redkitchen().string());
+    MatchedPredictions recorded(file, reader->frames());
     reader->select(0, std::numeric_limits<int64_t>::max(), EVERY);
     size_t detections = 0;
     for (RgbdRecord record; reader->next(record);) {
@@ -124,7 +125,7 @@ TEST(DnnConverter, aRealNetworkSeesWhatWasRecordedOfIt)
         EXPECT_EQ(found->imageWidth, 640);
         EXPECT_EQ(found->imageHeight, 480);
         detections += found->instances.size();
-        expectSame(found->instances, recorded.instancesFor(reader->frame(), 640, 480)->instances,
+        expectSame(found->instances, recorded.instancesFor(reader->position(), 640, 480)->instances,
                    reader->frame().number);
     }
     EXPECT_EQ(detections, 102u);

@@ -13,13 +13,16 @@ using CategoryNames = std::map<int64_t, std::string>;
  *  detectors know 80 of them). */
 const CategoryNames& cocoCategoryNames();
 
-/** Reads lines "number,name"; lines that do not start with a number, such as a title, are passed
- *  over. */
-CategoryNames categoryNamesFromCsv(const std::string& text);
+/** Category names from a table in UTF-8: CSV (see parseCsv()) whose rows are a number, a name and
+ *  anything else, below a header or not; lines of a name each, numbered from 0; or YAML with a key
+ *  "names", as the data.yaml of Ultralytics. Empty if the text is.
+ *  \param source name of the file, for messages
+ *  \throws InputError, naming the line, for any other */
+CategoryNames categoryNamesFromTable(const std::string& text, const std::string& source);
 
-/** Reads a file of category names: CSV as above, or JSON, which may be an object with a list
- *  "categories" of {"id": number, "name": text} as COCO's files have, such a list, or a list of
- *  names alone, numbered from 0.
+/** Reads a file of category names: a table as above, or JSON, which may be an object with a list
+ *  "categories" of {"id": number, "name": text} as COCO's files have, such a list, a list of names
+ *  alone, numbered from 0, or an object of names by number or numbers by name.
  *  \throws InputError, naming the file, if it cannot be read or names nothing */
 CategoryNames readCategoryNames(const std::string& file);
 }  // namespace voxeland

@@ -1,64 +1,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/LeftOut.h"
 #include "voxeland/datasets/CategoryNames.h"
+#include "voxeland/datasets/ImageMatching.h"
 #include "voxeland/observations/CObservationInstances.h"
 
-#include <cstdint>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace voxeland
 {
-struct DatasetFrame;
-
 /** What a detector found, from a file in the COCO results format: a list of
- *  {"image_id", "category_id", "score", "bbox", "segmentation"}, also as the list "annotations" of
- *  an object with "images" and "categories", as ground truth comes.
+ *  {"image_id", "category_id", "score", "bbox", "segmentation"}, also as JSON Lines, lists by
+ * image, or the list "annotations", "predictions" or "results" of an object with "images" and
+ *  "categories", as ground truth comes.
  *
  *  - segmentation: run lengths, compressed or not, or polygons.
- *  - category: "category_name", or "category_id" looked up in the file's own "categories", the
- * names given, and COCO's. "class_scores", an object of scores by category name or number, becomes
- *    the distribution; without it the one category is certain and "score" says how sure.
- *  - score: in [0,1], 1 if absent. bbox: the mask's if absent. track_id: optional.
- *  - image_id is the frame's number, unless "images" lists files: then their names decide, and
- *    frames that are not listed have no predictions (otherwise: nothing was found in them). */
+ *  - category: "category_name", or "category_id" looked up in the names given, the file's own
+ *    "categories", and COCO's: its 90 categories, or its 80 counted from 0 or 1 where nothing else
+ *    is possible. "class_scores", an object of scores by category name or number, becomes the
+ *    distribution; without it the one category is certain and "score" says how sure.
+ *  - score: in [0,1] but for rounding, 1 if absent. bbox: the mask's if absent. track_id: optional.
+ *  - image_id is a number, or the name of the image's file with or without its ending; "file_name"
+ *    may stand for it. Which frames these are is for MatchedPredictions to say.
+ *
+ *  Odd entries are left out, and the rest is used. */
 class CocoPredictions
 {
  public:
-    /** Reads and checks the whole file.
-     *  \param names further category names, which win over COCO's
-     *  \throws InputError, naming the file and the prediction, for anything that is not right */
-    explicit CocoPredictions(const std::string& file, const CategoryNames& names = {});
-
-    /** Number of predictions in the file. */
-    [[nodiscard]] size_t count() const;
-    /** Number of predictions for a frame. */
-    [[nodiscard]] size_t countFor(const DatasetFrame& frame) const;
-
-    /** Predictions for a frame, without timestamp, label and sensor pose. Null if the file does not
-     *  list the frame's image.
-     *  \param width,height size of the frame's colour image
-     *  \throws InputError if the masks are of another size */
-    [[nodiscard]] CObservationInstances::Ptr instancesFor(const DatasetFrame& frame, int width,
-                                                          int height) const;
-
- private:
     /** A prediction whose polygons, if any, wait for the size of the image. */
     struct Entry
     {
+        size_t place = 0;  //!< in the file, from 0
         InstancePrediction prediction;
         std::vector<std::vector<double>> polygons;
     };
+    /** An image, with what was found in it. */
+    struct Image
+    {
+        std::string id;    //!< as in the file
+        std::string name;  //!< of its file; may be empty
+        std::vector<Entry> entries;
+    };
+
+    /** Reads and checks the whole file.
+     *  \param names if there are any, they alone and the file's own name categories
+     *  \param strict an odd entry is an error
+     *  \throws InputError, naming the file and the prediction, if none of them can be used, or the
+     *  file as a whole is not right */
+    explicit CocoPredictions(const std::string& file, const CategoryNames& names = {},
+                             bool strict = false);
+
+    [[nodiscard]] const std::string& file() const { return m_file; }
+    /** Number of predictions that can be used. */
+    [[nodiscard]] size_t count() const;
+    [[nodiscard]] const std::vector<Image>& images() const { return m_images; }
+    /** Whether the file lists its images: others were not looked at. Else all were, and nothing was
+     *  found in others. */
+    [[nodiscard]] bool listsImages() const { return m_listsImages; }
+    /** Size of most masks that are given as run lengths [pixels]; 0 if none is. */
+    [[nodiscard]] int maskWidth() const { return m_maskWidth; }
+    [[nodiscard]] int maskHeight() const { return m_maskHeight; }
+
+    /** Whether odd entries are errors. */
+    [[nodiscard]] bool isStrict() const { return m_isStrict; }
+    [[nodiscard]] const LeftOut& leftOut() const { return m_leftOut; }
+    /** What was found out about the file, a sentence each, for the user. */
+    [[nodiscard]] const std::vector<std::string>& notes() const { return m_notes; }
+
+ private:
     friend class CocoReader;
 
-    /** Number of the frame's image in the file, if it may be there. */
-    [[nodiscard]] std::optional<int64_t> imageOf(const DatasetFrame& frame) const;
-
     std::string m_file;
-    std::map<int64_t, std::vector<Entry>> m_entries;  //!< by image
+    std::vector<Image> m_images;
     bool m_listsImages = false;
-    std::map<std::string, int64_t> m_imageByPath;  //!< from "images"; also by the bare file name
+    int m_maskWidth = 0, m_maskHeight = 0;
+    bool m_isStrict;
+    LeftOut m_leftOut;
+    std::vector<std::string> m_notes;
 };
 }  // namespace voxeland

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/datasets/CocoPredictions.h"
+#include "voxeland/datasets/MatchedPredictions.h"
 
 #include <functional>
 #include <string>
@@ -29,12 +29,11 @@ struct AddPredictionsOptions
 /** What addPredictions() did. */
 struct AddedPredictions
 {
-    size_t frames = 0;                   //!< RGB-D frames in the rawlog
-    size_t predictions = 0;              //!< added
-    size_t predictionsWithoutFrame = 0;  //!< of frames the rawlog does not have
-    size_t replaced = 0;                 //!< earlier prediction observations dropped from it
-    bool rawlogWritten = true;           //!< false: the output is the input, left as it was
-    bool imagesLinked = false;           //!< OUTPUT_Images is a link to the input's images
+    size_t frames = 0;          //!< RGB-D frames in the rawlog
+    size_t predictions = 0;     //!< added
+    size_t replaced = 0;        //!< earlier prediction observations dropped from it
+    bool rawlogWritten = true;  //!< false: the output is the input, left as it was
+    bool imagesLinked = false;  //!< OUTPUT_Images is a link to the input's images
 };
 
 /** Adds predictions to a rawlog, in either of MRPT's rawlog formats. Its RGB-D frames are numbered
@@ -48,9 +47,12 @@ AddedPredictions addPredictions(const std::string& input, const PredictionSource
                                 const std::string& output, const AddPredictionsOptions& options,
                                 const std::function<void(size_t frames, double share)>& progress);
 
-/** The same with predictions from a file, of which those of frames that do not exist are counted.
- */
-AddedPredictions addPredictions(const std::string& input, const CocoPredictions& predictions,
-                                const std::string& output, const AddPredictionsOptions& options,
-                                const std::function<void(size_t frames, double share)>& progress);
+/** The RGB-D frames of a rawlog: their numbers, and the names of their colour images where these
+ * are files of their own. \param sensorLabel which sensor's; empty: the only one's \throws as
+ * addPredictions() for the input */
+std::vector<DatasetFrame> rgbdFramesOf(const std::string& rawlog, const std::string& sensorLabel);
+
+/** Predictions from a file as such a source.
+ *  \param predictions matched to rgbdFramesOf() the rawlog; must live as long */
+PredictionSource recordedPredictions(MatchedPredictions& predictions);
 }  // namespace voxeland

@@ -60,6 +60,8 @@ class RgbdDatasetReader
     [[nodiscard]] RgbdRecord load(size_t index) const;
     /** The frame that next() read last. */
     [[nodiscard]] const DatasetFrame& frame() const { return m_frames.at(m_current); }
+    /** Its position in frames(). */
+    [[nodiscard]] size_t position() const { return m_current; }
     [[nodiscard]] const std::vector<SkippedFrame>& skipped() const { return m_skipped; }
     /** What was assumed because the dataset does not say it, or says it in several ways: a sentence
      *  each, for the user. */

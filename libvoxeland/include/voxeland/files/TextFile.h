@@ -4,8 +4,8 @@
 
 namespace voxeland
 {
-/** Whole content of a file.
+/** Whole content of a file of UTF-8 text, without the byte order mark that some editors put first.
  *  \param purpose what the file is, for the message, e.g. "label map"
- *  \throws InputError, naming it, if it cannot be read */
+ *  \throws InputError, naming it, if it cannot be read or is UTF-16 */
 std::string readTextFile(const std::string& file, const std::string& purpose = "file");
 }  // namespace voxeland

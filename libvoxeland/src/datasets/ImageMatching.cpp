@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/datasets/ImageMatching.h"
+
+#include "ImageName.h"
+#include "voxeland/counted.h"
+#include "voxeland/datasets/RgbdDatasetReader.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace voxeland
+{
+namespace
+{
+using Images = std::vector<PredictedImage>;
+using Frames = std::vector<DatasetFrame>;
+using Number = std::optional<int64_t>;
+
+/** Path of each file, the file's name first. */
+using Paths = std::vector<std::vector<std::string>>;
+
+/** Positions of the paths by their first parts; those of fewer parts are left out. */
+std::map<std::string, std::vector<size_t>> byEnd(const Paths& paths, size_t parts)
+{
+    std::map<std::string, std::vector<size_t>> result;
+    for (size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].size() < parts) continue;
+        std::string end;
+        for (size_t p = 0; p < parts; ++p) end += paths[i][p] + "/";
+        result[end].push_back(i);
+    }
+    return result;
+}
+
+bool shareAName(const Paths& images, const Paths& frames)
+{
+    const auto names = byEnd(frames, 1);
+    const auto isOfAFrame = [&](const auto& name) { return names.count(name.first) > 0; };
+    const auto imageNames = byEnd(images, 1);
+    return std::any_of(imageNames.begin(), imageNames.end(), isOfAFrame);
+}
+
+/** A name that several images or several frames have, and no folder tells apart; or none. */
+std::string ambiguousName(const Images& images, const Paths& paths, const Paths& frames,
+                          const ImageMatching& matching)
+{
+    std::set<size_t> matched;
+    for (const auto& image : matching.imageOf)
+        if (image) matched.insert(*image);
+    const auto names = byEnd(frames, 1), imageNames = byEnd(paths, 1);
+    for (const auto& [name, which] : imageNames) {
+        const auto found = names.find(name);
+        if (found == names.end() || matched.count(which.front()) > 0) continue;
+        if (found->second.size() > 1 || which.size() > 1) return images[which.front()].name;
+    }
+    return "";
+}
+
+/** Where a path ends like one path only on the other side, and that one like no other, they match;
+ *  the longest common ends first. */
+std::optional<ImageMatching> matchedByName(const Images& images, const Frames& frames)
+{
+    Paths framePaths;
+    for (const DatasetFrame& f : frames) framePaths.push_back(imagePath(f.image));
+    Paths paths;
+    for (const auto& original :
+         {+[](const std::string& name) { return name; }, &beforeRoboflow, &beforeLabelStudio})
+    {
+        paths.clear();
+        for (const PredictedImage& i : images) paths.push_back(imagePath(original(i.name)));
+        if (shareAName(paths, framePaths)) break;
+        paths.clear();
+    }
+    if (paths.empty()) return std::nullopt;
+
+    ImageMatching matching{std::vector<std::optional<size_t>>(frames.size()), "by file name", ""};
+    std::vector<bool> isMatched(images.size(), false);
+    size_t deepest = 0;
+    for (const auto& path : paths) deepest = std::max(deepest, path.size());
+    for (size_t parts = deepest; parts > 0; --parts) {
+        const auto imageEnds = byEnd(paths, parts), frameEnds = byEnd(framePaths, parts);
+        for (const auto& [end, which] : imageEnds) {
+            const auto found = frameEnds.find(end);
+            if (found == frameEnds.end() || found->second.size() > 1 || which.size() > 1) continue;
+            auto& image = matching.imageOf[found->second.front()];
+            if (image || isMatched[which.front()]) continue;
+            image = which.front();
+            isMatched[which.front()] = true;
+        }
+    }
+    if (const auto name = ambiguousName(images, paths, framePaths, matching); !name.empty())
+        matching.doubt = "'" + name + "' may be several images: their folders would tell";
+    return matching;
+}
+
+ImageMatching matchedInOrder(const Images& images, const Frames& frames)
+{
+    ImageMatching matching{std::vector<std::optional<size_t>>(frames.size()),
+                           "in the order of the file's images", ""};
+    for (size_t i = 0; i < std::min(frames.size(), images.size()); ++i) matching.imageOf[i] = i;
+    const auto comesLater = [](const PredictedImage& a, const PredictedImage& b) {
+        const Number before = numberIn(a.name), after = numberIn(b.name);
+        return before && after && *before > *after;
+    };
+    if (images.size() != frames.size())
+        matching.doubt = "it lists " + counted(images.size(), "image") + " for " +
+                         counted(frames.size(), "frame");
+    else if (std::adjacent_find(images.begin(), images.end(), comesLater) != images.end())
+        matching.doubt = "the names of its images are in another order";
+    return matching;
+}
+
+/** A way to number frames. */
+struct Numbering
+{
+    std::string how;
+    std::function<Number(size_t position)> of;
+};
+
+std::vector<Numbering> numberings(const Frames& frames)
+{
+    const auto position = [](int64_t first) {
+        return [first](size_t i) { return Number(static_cast<int64_t>(i) + first); };
+    };
+    return {{"by frame number", [&](size_t i) { return Number(frames[i].number); }},
+            {"by the number that is the image's file name",
+             [&](size_t i) { return numberThatIs(frames[i].image); }},
+            {"by position, counted from 1", position(1)},
+            {"by position, counted from 0", position(0)}};
+}
+
+/** Positions of the images by their numbers; of equal ones the first. */
+std::map<int64_t, size_t> byNumber(const std::vector<Number>& numbers)
+{
+    std::map<int64_t, size_t> result;
+    for (size_t i = 0; i < numbers.size(); ++i)
+        if (numbers[i]) result.emplace(*numbers[i], i);
+    return result;
+}
+
+/** The usual numbering, unless another one alone leaves no prediction without a frame. */
+ImageMatching matchedByNumber(const Images& images, const std::vector<Number>& numbers,
+                              const Frames& frames)
+{
+    const auto imageOfNumber = byNumber(numbers);
+    size_t all = 0;
+    for (const PredictedImage& i : images) all += i.predictions;
+    std::optional<ImageMatching> usual;
+    for (const Numbering& numbering : numberings(frames)) {
+        ImageMatching matching{{}, numbering.how, ""};
+        std::set<size_t> matched;
+        for (size_t f = 0; f < frames.size(); ++f) {
+            const Number number = numbering.of(f);
+            const auto found = number ? imageOfNumber.find(*number) : imageOfNumber.end();
+            auto& image = matching.imageOf.emplace_back();
+            if (found != imageOfNumber.end() && matched.insert(found->second).second)
+                image = found->second;
+        }
+        size_t predictions = 0;
+        for (const size_t image : matched) predictions += images[image].predictions;
+        if (predictions == all) return matching;
+        if (!usual) usual = std::move(matching);
+    }
+    return *usual;
+}
+
+/** Whether numbers go 0, 1, 2, ... or 1, 2, 3, ... */
+bool countThrough(const std::vector<Number>& numbers)
+{
+    for (size_t i = 0; i < numbers.size(); ++i)
+        if (*numbers[i] != *numbers.front() + static_cast<int64_t>(i)) return false;
+    return numbers.empty() || *numbers.front() == 0 || *numbers.front() == 1;
+}
+
+/** Numbers in the names of listed images, if they say more of which frames these are than the
+ *  order: nothing otherwise. */
+std::optional<std::vector<Number>> tellingNumbers(const Images& images, const Frames& frames)
+{
+    std::set<int64_t> ofFrames, seen;
+    for (const DatasetFrame& f : frames) ofFrames.insert(f.number);
+    std::vector<Number> numbers;
+    for (const PredictedImage& i : images) {
+        numbers.push_back(i.name.empty() ? i.number : numberIn(i.name));
+        if (!numbers.back() || ofFrames.count(*numbers.back()) == 0 ||
+            !seen.insert(*numbers.back()).second)
+            return std::nullopt;
+    }
+    return countThrough(numbers) ? std::nullopt : std::optional(numbers);
+}
+}  // namespace
+
+ImageMatching matchImages(const Images& images, bool listed, const Frames& frames)
+{
+    if (auto matching = matchedByName(images, frames)) return *matching;
+    if (listed) {
+        if (images.size() != frames.size())
+            if (const auto numbers = tellingNumbers(images, frames))
+                return matchedByNumber(images, *numbers, frames);
+        return matchedInOrder(images, frames);
+    }
+    std::vector<Number> numbers;
+    for (const PredictedImage& i : images)
+        numbers.push_back(i.number ? i.number : numberIn(i.name));
+    return matchedByNumber(images, numbers, frames);
+}
+}  // namespace voxeland

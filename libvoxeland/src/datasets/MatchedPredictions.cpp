@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/datasets/MatchedPredictions.h"
+
+#include "voxeland/counted.h"
+#include "voxeland/datasets/CocoMasks.h"
+#include "voxeland/errors.h"
+#include "voxeland/numbers.h"
+
+#include <set>
+
+namespace voxeland
+{
+namespace
+{
+constexpr size_t TOLERATED = 10;  //!< one in so many predictions may have no frame
+
+std::string sizeText(int width, int height)
+{
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
+std::vector<PredictedImage> describe(const std::vector<CocoPredictions::Image>& images)
+{
+    std::vector<PredictedImage> result;
+    for (const auto& i : images)
+        result.push_back({i.id, i.name, parsed<int64_t>(i.id), i.entries.size()});
+    return result;
+}
+
+std::string sentence(const std::string& file, const CocoPredictions::Image& image,
+                     const CocoPredictions::Entry& entry, const std::string& problem)
+{
+    return file + ": prediction " + std::to_string(entry.place) + " (image_id " + image.id +
+           "): " + problem;
+}
+}  // namespace
+
+MatchedPredictions::MatchedPredictions(const CocoPredictions& predictions,
+                                       const std::vector<DatasetFrame>& frames)
+    : m_predictions(predictions),
+      m_matching(matchImages(describe(predictions.images()), predictions.listsImages(), frames)),
+      m_leftOut(predictions.leftOut())
+{
+    checkWithoutFrame();
+}
+
+void MatchedPredictions::checkWithoutFrame()
+{
+    std::set<size_t> matched;
+    for (const auto& image : m_matching.imageOf)
+        if (image) matched.insert(*image);
+    const auto& images = m_predictions.images();
+    size_t count = 0;
+    std::string first;
+    for (size_t i = 0; i < images.size(); ++i) {
+        if (matched.count(i) > 0 || images[i].entries.empty()) continue;
+        if (count == 0) first = images[i].id;
+        count += images[i].entries.size();
+    }
+    if (count == 0) return;
+    const size_t all = m_predictions.count();
+    m_withoutFrame = m_predictions.file() + ": " + std::to_string(count) + " of " +
+                     counted(all, "prediction") + " have no frame, the first of image_id " + first +
+                     "; images are matched " + m_matching.how +
+                     (m_matching.doubt.empty() ? "" : ", but " + m_matching.doubt);
+    if (m_predictions.isStrict() || count * TOLERATED > all) throw InputError(m_withoutFrame);
+}
+
+size_t MatchedPredictions::countFor(size_t position) const
+{
+    const auto image = m_matching.imageOf.at(position);
+    return image ? m_predictions.images()[*image].entries.size() : 0;
+}
+
+CObservationInstances::Ptr MatchedPredictions::instancesFor(size_t position, int width, int height)
+{
+    const auto at = m_matching.imageOf.at(position);
+    if (!at && m_predictions.listsImages()) return nullptr;
+    auto result = CObservationInstances::Create();
+    result->imageWidth = width;
+    result->imageHeight = height;
+    if (!at) return result;
+    const auto& image = m_predictions.images()[*at];
+    for (const auto& entry : image.entries) {
+        InstancePrediction p = predictionOf(image, entry, width, height);
+        if (p.mask.width() != width || p.mask.height() != height) {
+            m_leftOut.add(sentence(m_predictions.file(), image, entry,
+                                   "the mask is of " + sizeText(p.mask.width(), p.mask.height()) +
+                                       " pixels, the image of " + sizeText(width, height)));
+        } else if (p.mask.empty() && !entry.polygons.empty()) {
+            m_leftOut.add(sentence(m_predictions.file(), image, entry,
+                                   "no pixel of the image is in its polygons"));
+        } else {
+            if (p.box.width == 0 || p.box.height == 0) p.box = p.mask.boundingBox();
+            result->instances.push_back(std::move(p));
+        }
+    }
+    return result;
+}
+
+InstancePrediction MatchedPredictions::predictionOf(const CocoPredictions::Image& image,
+                                                    const CocoPredictions::Entry& entry, int width,
+                                                    int height) const
+{
+    InstancePrediction p = entry.prediction;
+    if (!entry.polygons.empty()) {
+        p.mask = maskFromPolygons(width, height, entry.polygons);
+        return p;
+    }
+    const int w = p.mask.width(), h = p.mask.height();
+    const bool areMost = w == m_predictions.maskWidth() && h == m_predictions.maskHeight();
+    if (areMost && (w != width || h != height))
+        throw InputError(m_predictions.file() + ": the masks of image_id " + image.id + " are of " +
+                         sizeText(w, h) + " pixels but the image has " + sizeText(width, height) +
+                         (w == height && h == width ? ": size is height, width" : ""));
+    return p;
+}
+
+std::vector<std::string> MatchedPredictions::notes() const
+{
+    auto all = m_predictions.notes();
+    all.push_back("images of " + m_predictions.file() + " are matched to frames " + m_matching.how);
+    return all;
+}
+
+std::vector<std::string> MatchedPredictions::warnings() const
+{
+    std::vector<std::string> all;
+    if (m_predictions.count() == 0) all.push_back(m_predictions.file() + " has no predictions");
+    if (!m_withoutFrame.empty())
+        all.push_back(m_withoutFrame);
+    else if (!m_matching.doubt.empty())
+        all.push_back(m_predictions.file() + ": images are matched " + m_matching.how + ", but " +
+                      m_matching.doubt);
+    if (m_leftOut.count() > 0)
+        all.push_back("left out: " + counted(m_leftOut.count(), "odd entry", "odd entries") +
+                      (m_leftOut.count() > 1 ? ", the first: " : ": ") + m_leftOut.first());
+    return all;
+}
+}  // namespace voxeland

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/files/TextFile.h"
+
+#include "voxeland/errors.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace voxeland
+{
+namespace
+{
+bool beginsWith(const std::string& text, const std::string& start)
+{
+    return text.compare(0, start.size(), start) == 0;
+}
+}  // namespace
+
+std::string readTextFile(const std::string& file, const std::string& purpose)
+{
+    std::ifstream in(file, std::ios::binary);
+    if (std::filesystem::is_directory(file))
+        throw InputError("cannot read the " + purpose + " " + file + ": it is a folder");
+    if (!in) throw InputError("cannot read the " + purpose + " " + file);
+    const std::string UTF8_MARK = "\xEF\xBB\xBF";
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (beginsWith(text, "\xFF\xFE") || beginsWith(text, "\xFE\xFF"))
+        throw InputError("the " + purpose + " " + file + " is UTF-16 text: save it as UTF-8");
+    if (beginsWith(text, UTF8_MARK)) text.erase(0, UTF8_MARK.size());
+    return text;
+}
+}  // namespace voxeland

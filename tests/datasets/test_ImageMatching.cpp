@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/datasets/ImageMatching.h"
+#include "voxeland/datasets/RgbdDatasetReader.h"
+
+#include <gtest/gtest.h>
+
+using namespace voxeland;
+
+namespace
+{
+using Positions = std::vector<std::optional<size_t>>;
+const std::optional<size_t> NONE;
+
+std::vector<PredictedImage> named(const std::vector<std::string>& names)
+{
+    std::vector<PredictedImage> images;
+    for (const auto& name : names) images.push_back({name, name, std::nullopt, 1});
+    return images;
+}
+
+std::vector<PredictedImage> numbered(const std::vector<int64_t>& numbers)
+{
+    std::vector<PredictedImage> images;
+    for (const auto n : numbers) images.push_back({std::to_string(n), "", n, 1});
+    return images;
+}
+
+/** Frames numbered from 0 with these images. */
+std::vector<DatasetFrame> framesWith(const std::vector<std::string>& images)
+{
+    std::vector<DatasetFrame> frames;
+    for (const auto& image : images) frames.push_back({static_cast<int64_t>(frames.size()), image});
+    return frames;
+}
+
+const std::vector<DatasetFrame> KITCHEN =
+    framesWith({"seq-01/frame-000000.color.png", "seq-01/frame-000001.color.png"});
+}  // namespace
+
+TEST(ImageMatching, namesDecideHoweverTheyAreWritten)
+{
+    for (const std::string name :
+         {"seq-01/frame-000001.color.png", "frame-000001.color.png", "frame-000001.color",
+          "frame-000001.color.jpg", "/data/kitchen/seq-01/frame-000001.color.png",
+          "C:\\data\\seq-01\\frame-000001.color.JPG", "./seq-01/frame-000001.color.png",
+          "other/frame-000001.color.png", "frame-000001_color_jpg.rf.0123456789abcdef.jpg",
+          "images/4/0f12ab9c-frame-000001.color.png"})
+    {
+        const auto matching = matchImages(named({"unknown.png", name}), true, KITCHEN);
+        EXPECT_EQ(matching.imageOf, (Positions{NONE, 1})) << name;
+        EXPECT_EQ(matching.how, "by file name") << name;
+        EXPECT_EQ(matching.doubt, "");
+    }
+}
+
+TEST(ImageMatching, foldersTellEqualNamesApart)
+{
+    const auto frames = framesWith({"seq-01/0.png", "seq-02/0.png", "seq-02/1.png"});
+    const auto both = matchImages(named({"a/seq-02/0.jpg", "a/seq-01/0.jpg"}), true, frames);
+    EXPECT_EQ(both.imageOf, (Positions{1, 0, NONE}));
+    EXPECT_EQ(both.doubt, "");
+    EXPECT_EQ(matchImages(named({"seq-02/0.jpg"}), true, frames).imageOf,
+              (Positions{NONE, 0, NONE}))
+        << "not the frame of another folder";
+    const auto bare = matchImages(named({"0.jpg", "1.jpg"}), true, frames);
+    EXPECT_EQ(bare.imageOf, (Positions{NONE, NONE, 1}));
+    EXPECT_EQ(bare.doubt, "'0.jpg' may be several images: their folders would tell");
+}
+
+TEST(ImageMatching, otherNamesMatchInTheOrderOfTheList)
+{
+    const auto frames = framesWith({"INT_1.jpg", "INT_2.jpg", "INT_3.jpg"});
+    auto images = named({"a", "b", "c"});
+    images[0].number = 7;
+    const auto matching = matchImages(images, true, frames);
+    EXPECT_EQ(matching.imageOf, (Positions{0, 1, 2}));
+    EXPECT_EQ(matching.how, "in the order of the file's images");
+    EXPECT_EQ(matching.doubt, "");
+    const auto shuffled = matchImages(named({"x2", "x1", "x3"}), true, frames);
+    EXPECT_EQ(shuffled.imageOf, (Positions{0, 1, 2}));
+    EXPECT_EQ(shuffled.doubt, "the names of its images are in another order");
+    const auto fewer = matchImages(named({"x1", "x2"}), true, frames);
+    EXPECT_EQ(fewer.imageOf, (Positions{0, 1, NONE}));
+    EXPECT_EQ(fewer.doubt, "it lists 2 images for 3 frames");
+}
+
+TEST(ImageMatching, someOfTheImagesAreFoundByTheirNumbers)
+{
+    const auto frames = framesWith({"", "", "", ""});
+    const auto matching = matchImages(named({"f-01.png", "f-03.png"}), true, frames);
+    EXPECT_EQ(matching.imageOf, (Positions{NONE, 0, NONE, 1}));
+    EXPECT_EQ(matching.how, "by frame number");
+}
+
+TEST(ImageMatching, numbersAreThoseOfFramesFirst)
+{
+    const std::vector<DatasetFrame> frames = {
+        {0, "color/10.jpg"}, {1, "color/20.jpg"}, {2, "color/30.jpg"}};
+    const auto check = [&](const std::vector<int64_t>& numbers, const Positions& expected,
+                           const std::string& how) {
+        const auto matching = matchImages(numbered(numbers), false, frames);
+        EXPECT_EQ(matching.imageOf, expected) << how;
+        EXPECT_EQ(matching.how, how);
+    };
+    check({2, 0}, {1, NONE, 0}, "by frame number");
+    check({1, 2}, {NONE, 0, 1}, "by frame number");
+    check({1, 2, 3}, {0, 1, 2}, "by position, counted from 1");
+    check({30, 10}, {1, NONE, 0}, "by the number that is the image's file name");
+    check({0, 3}, {0, NONE, NONE}, "by frame number");
+    const std::vector<DatasetFrame> later = {{5, ""}, {6, ""}};
+    EXPECT_EQ(matchImages(numbered({0, 1}), false, later).how, "by position, counted from 0");
+    EXPECT_EQ(matchImages(numbered({5, 6}), false, later).how, "by frame number");
+}
+
+TEST(ImageMatching, aTextWithoutANameLikeItIsANumber)
+{
+    const auto frames = framesWith({"", "", ""});
+    EXPECT_EQ(
+        matchImages(named({"frame-000002.color", "frame-000000.color"}), false, frames).imageOf,
+        (Positions{1, NONE, 0}));
+}

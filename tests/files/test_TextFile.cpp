@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/TestFiles.h"
+#include "voxeland/errors.h"
+#include "voxeland/files/TextFile.h"
+
+#include <gtest/gtest.h>
+
+using namespace voxeland;
+
+TEST(TextFile, isReadWithoutItsByteOrderMark)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("a.txt");
+    for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
+        test::writeFile(file, mark + "a\r\n\xC3\xBC");
+        EXPECT_EQ(readTextFile(file), "a\r\n\xC3\xBC");
+    }
+}
+
+TEST(TextFile, whatIsNoTextIsNamed)
+{
+    const test::TemporaryFolder folder;
+    const auto complaint = [](const std::string& file) {
+        try {
+            readTextFile(file, "label map");
+        } catch (const InputError& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    const std::string file = folder.file("a.txt");
+    EXPECT_EQ(complaint(file), "cannot read the label map " + file);
+    EXPECT_EQ(complaint(folder.path().string()),
+              "cannot read the label map " + folder.path().string() + ": it is a folder");
+    for (const std::string mark : {"\xFF\xFE", "\xFE\xFF"}) {
+        test::writeFile(file, mark + std::string("a\0b\0", 4));
+        EXPECT_EQ(complaint(file), "the label map " + file + " is UTF-16 text: save it as UTF-8");
+    }
+}
