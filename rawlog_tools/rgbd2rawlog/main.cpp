@@ -62,8 +62,8 @@ struct Arguments : apps::CommandLine
         "", "from", "First frame to take, by number (default: 0)", false, 0, "N", parser()};
     TCLAP::ValueArg<size_t> every{
         "", "every", "Take every so-manieth frame only (default: 1)", false, 1, "N", parser()};
-    TCLAP::SwitchArg strict{"", "strict",
-                            "What is odd is an error, instead of left out and counted", parser()};
+    TCLAP::SwitchArg strict{
+        "", "strict", "A frame that cannot be used and an odd prediction are errors", parser()};
     TCLAP::SwitchArg invertPoses{"", "invert-poses",
                                  "The dataset's poses are world-to-camera transforms", parser()};
     TCLAP::ValueArg<double> depthScale{
@@ -92,7 +92,6 @@ struct Arguments : apps::CommandLine
         "",
         "FX,FY,CX,CY",
         parser()};
-    TCLAP::SwitchArg strict{"", "strict", "A frame that cannot be used is an error", parser()};
     TCLAP::SwitchArg check{
         "", "check", "Tell whether depth scale, intrinsics and poses hold together; write nothing",
         parser()};
