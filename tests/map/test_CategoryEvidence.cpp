@@ -62,6 +62,26 @@ TEST(CategoryEvidence, AddsAnotherScaled)
     EXPECT_DOUBLE_EQ(e.betaOf(1), 3);
 }
 
+TEST(CategoryEvidence, WhatIsNoFiniteNumberIsNoEvidence)
+{
+    auto e = evidence({{1, 0.5}});
+    for (const double beta : {std::nan(""), double{INFINITY}, -double{INFINITY}}) {
+        e.add(1, beta);
+        e.add(2, beta);
+    }
+    ASSERT_EQ(e.entries().size(), 1U);
+    EXPECT_EQ(e.betaOf(1), 0.5);
+}
+
+TEST(Sharpened, DoesNotUnderflow)
+{
+    // (1/4)^100 of the greatest is left of the other one; both powers alone are below any double.
+    const auto e = sharpened(evidence({{3, 4e-200}, {5, 1e-200}}), 100);
+    EXPECT_NEAR(e.betaOf(3), 1, 1e-12);
+    EXPECT_NEAR(e.betaOf(5) / std::pow(0.25, 100), 1, 1e-9);
+    EXPECT_TRUE(sharpened({}, 2).empty());
+}
+
 TEST(SemanticSimilarity, OfEqualAndDisjointMeans)
 {
     EXPECT_DOUBLE_EQ(semanticSimilarity(evidence({{1, 1}, {2, 3}}), evidence({{1, 10}, {2, 30}})),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 using namespace voxeland;
 
@@ -94,6 +95,55 @@ TEST(InstanceViews, WhatIsKeptDependsNeitherOnOrderNorOnMerges)
         EXPECT_EQ(framesOf(shuffled, 1), framesOf(straight, 1)) << seed;
         EXPECT_EQ(framesOf(merged, 1), framesOf(straight, 1)) << seed;
     }
+}
+
+TEST(InstanceViews, OrderAndMergesDoNotMatterAmongManyCategoriesAndEqualViews)
+{
+    // Of few values, so that many views are equal but for a camera, a target, or nothing.
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        std::mt19937 random(seed);
+        const auto upTo = [&](int n) { return std::uniform_int_distribution<int>(0, n)(random); };
+        std::vector<std::pair<category_id_t, InstanceView>> all;
+        for (int i = 0; i < 400; ++i) {
+            InstanceView v = viewFrom(0, 100);
+            v.camera.x += 0.001F * static_cast<float>(upTo(3));
+            v.target.z = 0.001F * static_cast<float>(upTo(3));
+            v.area += static_cast<uint32_t>(upTo(2));
+            all.emplace_back(upTo(14), v);
+        }
+        const auto bytesOf = [](const InstanceViews& views) {
+            std::string text;
+            for (const auto& [category, kept] : views.byCategory())
+                for (const InstanceView& v : kept)
+                    for (const float x : {static_cast<float>(category), v.camera.x, v.target.z,
+                                          static_cast<float>(v.area)})
+                        text += std::to_string(x) + " ";
+            return text;
+        };
+        InstanceViews straight, parts[3], merged;
+        for (const auto& [category, v] : all) straight.add(category, v, MOST);
+        std::shuffle(all.begin(), all.end(), random);
+        for (size_t i = 0; i < all.size(); ++i) parts[i % 3].add(all[i].first, all[i].second, MOST);
+        for (const int part : {2, 0, 1}) merged.add(parts[part], MOST);
+        EXPECT_EQ(bytesOf(merged), bytesOf(straight)) << seed;
+    }
+}
+
+TEST(InstanceViews, ImpossibleOnesAreLeftOut)
+{
+    InstanceViews views;
+    InstanceView v = viewFrom(0, 100);
+    v.score = std::nanf("");
+    views.add(0, v, MOST);
+    v.score = -1;
+    views.add(0, v, MOST);
+    v = viewFrom(0, 100);
+    v.camera.y = INFINITY;
+    views.add(0, v, MOST);
+    v = viewFrom(0, 100);
+    v.target.z = std::nanf("");
+    views.add(0, v, MOST);
+    EXPECT_TRUE(views.byCategory().empty());
 }
 
 TEST(InstanceViews, EveryCategoryHasItsOwn)

@@ -7,6 +7,7 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 using namespace voxeland;
@@ -190,4 +191,21 @@ TEST(MapSerialization, BlocksBeyondTheCoordinatesAreRefused)
     for (const int32_t far : {MOST + 1, -MOST - 1, INT32_MAX, INT32_MIN})
         EXPECT_EQ(refusal(bytes, at, bytesOf(far)).find("corrupt map: "), 0U) << far;
     EXPECT_EQ(refusal(bytes, at, bytesOf(-MOST)), "accepted");
+}
+
+TEST(MapSerialization, WhatIsNoEvidenceIsNeverWritten)
+{
+    constexpr float INF = std::numeric_limits<float>::infinity();
+    SemanticVoxelMap map;
+    map.categories().add("chair");
+    const instance_id_t id = map.createInstance().id;
+    map.instance(id).decisions.resize(1);
+    map.instance(id).decisions[0].evidence = std::numeric_limits<double>::denorm_min();
+    map.addEvidence({0, 0, 0}, id, 1);
+    map.addEvidence({9, 0, 0}, id, 1);
+    for (const float none : {0.0F, -1.0F, INF, std::nanf("")}) map.addEvidence({1, 0, 0}, id, none);
+    map.split(id, {{9, 0, 0}}, 0.25, 3);  // a quarter of the least number there is: nothing
+    const SemanticVoxelMap read = mapFrom(bytesOf(map));
+    EXPECT_EQ(read.evidence({1, 0, 0}), nullptr);
+    EXPECT_TRUE(read.instance(2).decisions.empty());
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 #include <random>
 #include <utility>
@@ -85,6 +86,15 @@ TEST(VoxelEvidence, CopiesAndMovesKeepEverything)
             EXPECT_EQ(assigned.size(), n + 1);
         }
     }
+}
+
+TEST(VoxelEvidence, StaysFinite)
+{
+    constexpr float MOST = std::numeric_limits<float>::max();
+    VoxelEvidence evidence;
+    evidence.add(1, MOST);
+    evidence.add(1, MOST);
+    EXPECT_EQ(evidence.alphaOf(1), MOST);
 }
 
 TEST(VoxelEvidence, FourEntriesNeedNoHeap)

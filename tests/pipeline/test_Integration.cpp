@@ -204,42 +204,41 @@ TEST(IntegrateGeometry, EachKeepsItsOwnWhereThereIsEnough)
     EXPECT_EQ(voxel.shared(), (std::vector<float>{1, voxel.points - 2, 0.5F}));
 }
 
-TEST(IntegrateGeometry, PointsClaimedTwiceAreSharedByConfidence)
+TEST(IntegrateGeometry, PointsClaimedTwiceGoToTheSurerOne)
 {
     SharedHit voxel;
     voxel.claim(voxel.points, 0.3F);
     voxel.claim(voxel.points, 0.9F);
-    expectNear(voxel.shared(), {voxel.points * 0.25F, voxel.points * 0.75F, 0});
+    expectNear(voxel.shared(), {0, voxel.points, 0});
 }
 
-TEST(IntegrateGeometry, NobodyGetsMoreThanItClaimed)
+TEST(IntegrateGeometry, OnlyTheExcessIsTakenAndNobodyGetsMoreThanItClaimed)
 {
-    // One point too many is claimed, and weights are 9 to 1: the sure one is not cut at all.
-    SharedHit voxel;
-    voxel.claim(voxel.points - 1, 0.9F);
-    voxel.claim(2, 0.1F);
-    expectNear(voxel.shared(), {voxel.points - 1, 1, 0});
+    SharedHit voxel;  // one point too many is claimed
+    voxel.claim(voxel.points - 1, 0.1F);
+    voxel.claim(2, 0.9F);
+    expectNear(voxel.shared(), {voxel.points - 2, 2, 0});
 }
 
-TEST(IntegrateGeometry, WhatTheSureOnesLeaveIsSharedByTheOthers)
+TEST(IntegrateGeometry, TheExcessIsTakenFromTheLeastSpecificFirst)
 {
-    // lambda * c * s = {4 * 1, 8 * 1/4, 8 * 1/4} and more: {4, 2, 2} for 8 points.
+    // Of 8 eighths 3 + 4 + 5 are claimed: the surest keeps 4, the next one 3, and 1 is left.
     SharedHit voxel;
     const float eighth = voxel.points / 8;
-    voxel.claim(8 * eighth, 0.25F);
+    voxel.claim(5 * eighth, 0.25F);
     voxel.claim(4 * eighth, 1);
-    voxel.claim(8 * eighth, 0.25F);
-    expectNear(voxel.shared(), {2 * eighth, 4 * eighth, 2 * eighth, 0});
+    voxel.claim(3 * eighth, 0.5F);
+    expectNear(voxel.shared(), {eighth, 4 * eighth, 3 * eighth, 0});
 }
 
 TEST(IntegrateGeometry, ASmallMaskOnALargeOneSaysMoreAboutItsPoints)
 {
     SharedHit voxel;
-    voxel.claim(voxel.points, 0.6F);  // a cup of one voxel
-    voxel.claim(voxel.points, 0.6F);  // a table of three
+    voxel.claim(voxel.points, 0.9F);      // a table of three voxels
+    voxel.claim(voxel.points - 1, 0.6F);  // a cup of one
     for (const uint32_t other : {voxel.hit + 1, voxel.hit + 2})
-        voxel.frame.opinions[1].voxels.push_back({other, 1});
-    expectNear(voxel.shared(), {voxel.points * 0.75F, voxel.points * 0.25F, 0});
+        voxel.frame.opinions[0].voxels.push_back({other, 1});
+    expectNear(voxel.shared(), {1, voxel.points - 1, 0});
 }
 
 TEST(IntegrateGeometry, TwoOpinionsAboutOneInstanceCountTheirPointsOnce)

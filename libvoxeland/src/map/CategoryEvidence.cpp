@@ -46,6 +46,7 @@ std::optional<category_id_t> CategoryEvidence::top() const
 
 void CategoryEvidence::add(category_id_t category, double beta)
 {
+    if (!std::isfinite(beta)) return;
     const auto at =
         std::lower_bound(m_entries.begin(), m_entries.end(), category,
                          [](const Entry& e, category_id_t id) { return e.category < id; });
@@ -65,11 +66,14 @@ void CategoryEvidence::add(const CategoryEvidence& other, double scale)
 
 CategoryEvidence sharpened(const CategoryEvidence& distribution, double exponent)
 {
-    double sum = 0;
-    for (const auto& e : distribution.entries()) sum += std::pow(e.beta, exponent);
+    double most = 0, sum = 0;
+    for (const auto& e : distribution.entries()) most = std::max(most, e.beta);
+    const auto power = [&](const CategoryEvidence::Entry& e) {
+        return std::pow(e.beta / most, exponent);  // of the greatest 1, so that not all underflow
+    };
+    for (const auto& e : distribution.entries()) sum += power(e);
     CategoryEvidence result;
-    for (const auto& e : distribution.entries())
-        result.add(e.category, std::pow(e.beta, exponent) / sum);
+    for (const auto& e : distribution.entries()) result.add(e.category, power(e) / sum);
     return result;
 }
 

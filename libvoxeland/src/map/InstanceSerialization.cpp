@@ -20,8 +20,6 @@ mrpt::math::TPoint3Df readPoint(CArchive& in)
 {
     mrpt::math::TPoint3Df p;
     in >> p.x >> p.y >> p.z;
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-        throw std::runtime_error("corrupt map: a view from nowhere");
     return p;
 }
 
@@ -40,7 +38,7 @@ InstanceView readView(CArchive& in)
         v.truncated >> v.score >> v.probability;
     v.camera = readPoint(in);
     v.target = readPoint(in);
-    if (!(v.quality() >= 0 && std::isfinite(v.quality())))
+    if (!v.isPossible())
         throw std::runtime_error("corrupt map: a view with impossible numbers");
     return v;
 }

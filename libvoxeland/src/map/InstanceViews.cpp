@@ -14,8 +14,10 @@ using Views = std::vector<InstanceView>;
 bool isBetter(const InstanceView& a, const InstanceView& b)
 {
     const auto key = [](const InstanceView& v) {
-        return std::tuple(-v.quality(), v.frame, v.box.x, v.box.y, v.box.width, v.box.height,
-                          -v.probability);
+        const auto& [c, t] = std::pair(v.camera, v.target);
+        return std::tuple(-v.quality(), v.frame, v.time, v.box.x, v.box.y, v.box.width,
+                          v.box.height, -v.probability, v.area, v.truncated, c.x, c.y, c.z, t.x,
+                          t.y, t.z);
     };
     return key(a) < key(b);
 }
@@ -56,6 +58,14 @@ float InstanceView::quality() const
     return size * score * probability * (truncated ? 0.5F : 1.0F);
 }
 
+bool InstanceView::isPossible() const
+{
+    const auto isPlace = [](const mrpt::math::TPoint3Df& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    };
+    return std::isfinite(quality()) && quality() >= 0 && isPlace(camera) && isPlace(target);
+}
+
 const Views& InstanceViews::of(category_id_t category) const
 {
     static const Views none;
@@ -65,7 +75,7 @@ const Views& InstanceViews::of(category_id_t category) const
 
 void InstanceViews::add(category_id_t category, const InstanceView& view, uint32_t most)
 {
-    if (most == 0) return;
+    if (most == 0 || !view.isPossible()) return;
     Views& views = m_views[category];
     views.push_back(view);
     keepBest(views, most);

@@ -22,8 +22,9 @@ void remember(std::vector<InstanceEvent>& history, const InstanceEvent& event)
 /** What decisions about an instance say about a part of it. \param share in [0,1] */
 std::vector<Decision> scaled(std::vector<Decision> decisions, double share)
 {
-    if (!(share > 0)) return {};
     for (Decision& d : decisions) d.evidence *= share;
+    const auto isNone = [](const Decision& d) { return !(d.evidence > 0); };
+    decisions.erase(std::remove_if(decisions.begin(), decisions.end(), isNone), decisions.end());
     return decisions;
 }
 
@@ -95,7 +96,7 @@ void SemanticVoxelMap::changeEvidence(VoxelEvidence& evidence, Change&& change)
 
 void SemanticVoxelMap::addEvidence(const VoxelCoord& v, instance_id_t instance, float alpha)
 {
-    if (!(alpha > 0)) return;
+    if (!(alpha > 0) || !std::isfinite(alpha)) return;
     const VoxelCoord block = blockOf(v);
     VoxelEvidence& evidence = m_blocks.at(block).evidenceAt(cellOf(v));
     if (instance == UNKNOWN_INSTANCE) {

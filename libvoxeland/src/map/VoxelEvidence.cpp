@@ -2,6 +2,7 @@
 #include "voxeland/map/VoxelEvidence.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace voxeland
@@ -41,7 +42,7 @@ bool VoxelEvidence::add(instance_id_t instance, float alpha)
     Entry* at = std::lower_bound(data(), data() + m_size, instance,
                                  [](const Entry& e, instance_id_t id) { return e.instance < id; });
     if (at != data() + m_size && at->instance == instance) {
-        at->alpha += alpha;
+        at->alpha = std::min(at->alpha + alpha, std::numeric_limits<float>::max());
         return false;
     }
     const auto position = at - data();

@@ -12,8 +12,8 @@ namespace voxeland
 {
 namespace
 {
-/** Weight of an opinion where it shares points with others: a small mask on a large one, a cup on a
- * table, says more about those points. */
+/** How much an opinion says about each of its points: a small mask on a large one, a cup on a
+ * table, says more about those that both claim. */
 float specificity(const Opinion& o)
 {
     return o.confidence / static_cast<float>(o.voxels.size());
@@ -29,50 +29,6 @@ std::vector<size_t> mostSpecificFirst(const std::vector<Opinion>& opinions)
     });
     return order;
 }
-
-/** A voxel's points among the opinions that claim some: each gets its own, as in the paper, but
- *  where claims exceed the points the excess is cut. Then claim c_i of specificity s_i gets
- *  min(c_i, lambda c_i s_i), with the lambda that makes all points of the voxel (max-min fairness
- *  with weights c_i s_i): the more specific a claim, the later it is cut. */
-class PointsToShare
-{
- public:
-    explicit PointsToShare(const HitVoxel& hit) : m_points(hit.points), m_left(hit.points) {}
-
-    /** Tells of a claim. All are told before the first one is taken. */
-    void announce(float points, float specificity)
-    {
-        m_claimed += static_cast<double>(points);
-        m_weights += weightOf(points, specificity);
-    }
-
-    /** What a claim gets [points]. The most specific claim must be taken first. */
-    float take(float points, float specificity)
-    {
-        const double weight = weightOf(points, specificity);
-        const double fair = m_left * std::min(1.0, weight / m_weights);
-        const double taken = std::min(static_cast<double>(points), fair);
-        m_left -= taken;
-        m_weights -= weight;
-        return static_cast<float>(taken);
-    }
-
-    /** Points that no opinion claims. */
-    [[nodiscard]] float unclaimed() const
-    {
-        return static_cast<float>(std::max(0.0, m_points - m_claimed));
-    }
-
- private:
-    static double weightOf(float points, float specificity)
-    {
-        return static_cast<double>(points) * static_cast<double>(specificity);
-    }
-
-    double m_points, m_left;  //!< of the voxel; not taken yet
-    double m_claimed = 0;
-    double m_weights = 0;  //!< of the claims not taken yet
-};
 
 /** Middle of an opinion's points [m]. */
 mrpt::math::TPoint3D middleOf(const Opinion& opinion, const std::vector<HitVoxel>& hits)
@@ -159,20 +115,19 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
 {
     const std::vector<HitVoxel>& hits = frame.voxels.hits();
     const std::vector<float> trust = trustInHits(frame);
-    std::vector<PointsToShare> toShare(hits.begin(), hits.end());
-    for (const Opinion& o : frame.opinions)
-        for (const OpinionVoxel& v : o.voxels) toShare[v.hit].announce(v.points, specificity(o));
+    std::vector<float> left;  // points of each voxel that nobody has been given so far
+    for (const HitVoxel& hit : hits) left.push_back(static_cast<float>(hit.points));
 
-    for (const size_t i : mostSpecificFirst(frame.opinions)) {
-        const Opinion& o = frame.opinions[i];
-        for (const OpinionVoxel& v : o.voxels)
-            map.addEvidence(hits[v.hit].coord, instances[i],
-                            toShare[v.hit].take(v.points, specificity(o)) * trust[v.hit]);
-    }
+    for (const size_t i : mostSpecificFirst(frame.opinions))
+        for (const OpinionVoxel& v : frame.opinions[i].voxels) {
+            const float given = std::min(v.points, left[v.hit]);
+            left[v.hit] -= given;
+            map.addEvidence(hits[v.hit].coord, instances[i], given * trust[v.hit]);
+        }
 
     const auto weight = static_cast<float>(unknownWeight);
     for (size_t h = 0; h < hits.size(); ++h) {
-        const float unknown = toShare[h].unclaimed() * weight * trust[h];
+        const float unknown = left[h] * weight * trust[h];
         if (unknown > 0 && !isWonByAny(missed, hits[h].coord, map))
             map.addEvidence(hits[h].coord, UNKNOWN_INSTANCE, unknown);
     }

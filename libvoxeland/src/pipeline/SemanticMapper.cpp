@@ -10,6 +10,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <chrono>
+#include <cmath>
 
 namespace voxeland
 {
@@ -33,7 +34,7 @@ void checkOpinions(const std::vector<Opinion>& opinions, const VoxelizedFrame& v
     for (const Opinion& o : opinions) {
         bool valid = o.confidence > 0 && o.confidence <= 1 && !o.voxels.empty();
         for (const OpinionVoxel& v : o.voxels)
-            valid = valid && v.hit < voxels.hits().size() && v.points > 0;
+            valid = valid && v.hit < voxels.hits().size() && v.points > 0 && std::isfinite(v.points);
         if (!valid)
             throw PluginError(
                 std::string(converter.GetRuntimeClass()->className) +

@@ -52,7 +52,8 @@ class CategoryEvidence
     [[nodiscard]] double betaOf(category_id_t category) const;
     /** The category with most evidence (of equals the one with the lowest id), none if empty. */
     [[nodiscard]] std::optional<category_id_t> top() const;
-    /** Adds evidence (may be negative to take some back; an entry that reaches zero goes). */
+    /** Adds evidence (may be negative to take some back; an entry that reaches zero goes). What is
+     * not finite is no evidence: nothing changes. */
     void add(category_id_t category, double beta);
     /** Adds all of another's evidence, scaled. */
     void add(const CategoryEvidence& other, double scale = 1);

@@ -30,6 +30,9 @@ struct InstanceView
     /** How well it shows the object: its size [pixels] weighted by confidence, halved if it may be
      * cut. */
     [[nodiscard]] float quality() const;
+    /** Whether an image can have shown that: places and quality are finite, and quality is not
+     * negative. */
+    [[nodiscard]] bool isPossible() const;
 };
 
 /** The best views of an instance, by the category each spoke for: so many of each category. Of each
@@ -47,7 +50,7 @@ class InstanceViews
     /** Views that spoke for a category; empty if there are none. */
     [[nodiscard]] const std::vector<InstanceView>& of(category_id_t category) const;
 
-    /** \param most views to keep of the category */
+    /** Views that are not possible are left out. \param most views to keep of the category */
     void add(category_id_t category, const InstanceView& view, uint32_t most);
     /** Adds all of another instance's views. */
     void add(const InstanceViews& other, uint32_t most);

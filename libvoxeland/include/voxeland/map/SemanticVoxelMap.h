@@ -66,7 +66,7 @@ class SemanticVoxelMap
     /** Evidence of a voxel, or null where no point was ever measured. */
     [[nodiscard]] const VoxelEvidence* evidence(const VoxelCoord& v) const;
     /** Adds evidence for an instance (or UNKNOWN_INSTANCE) to a voxel. \param alpha what is not > 0
-     *  (discounted until nothing is left, say) is no evidence: nothing changes */
+     *  (discounted until nothing is left, say) or not finite is no evidence: nothing changes */
     void addEvidence(const VoxelCoord& v, instance_id_t instance, float alpha);
 
     /** Calls f(instance) for each instance that a voxel with this evidence is part of (see

@@ -18,8 +18,9 @@ std::vector<instance_id_t> resolveAssignments(const std::vector<Assignment>& ass
                                               SemanticVoxelMap& map);
 
 /** Geometric integration (paper, "Continuous Map Integration"): alpha_k of a voxel grows by the
- * number of 3D points that the opinions about instance k have in it. Where opinions claim the same
- * points, each gets its share, weighted by confidence. Points that nobody claims are evidence for
+ * number of 3D points that the opinions about instance k have in it. Where claims
+ * exceed a voxel's points, the excess is taken from the least specific ones (confidence over number
+ * of voxels; of equals from the later). Points that nobody claims are evidence for
  * *unknown*, but for those in voxels that an instance wins which the detector missed. Where the
  * pose is uncertain, points count by the probability that they are in the right voxel.
  * \param instances that of each opinion, in the same order
