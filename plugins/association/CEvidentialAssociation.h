@@ -46,7 +46,7 @@ class CEvidentialAssociation : public CAssociationPolicy
     [[nodiscard]] double quality(const Overlap& overlap) const;
 
     double m_tauIoU = 0.5, m_tauIoVStrict = 0.6, m_tauIoVRelaxed = 0.25;
-    double m_tauPiece = 0.8, m_pieceSimilarity = 0.3;
+    double m_tauPiece = 0.8, m_pieceSimilarity = 0.2;
     bool m_useIoV = true, m_exclusive = true, m_useSimilarity = true, m_unclaimed = true;
 };
 }  // namespace voxeland

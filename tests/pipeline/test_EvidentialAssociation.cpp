@@ -64,8 +64,8 @@ TEST(EvidentialAssociation, DetectionsThatOverlapMayBeOneObjectTwice)
 TEST(EvidentialAssociation, APieceNeedsToLieWithinAndToBeSimilar)
 {
     // IoV is below 0.5: too little for a visible part where categories differ so.
-    EXPECT_EQ(TwoOpinions(100).assigned(80, 79, 0.3), (Ids{7, UNKNOWN_INSTANCE}));
-    EXPECT_EQ(TwoOpinions(100).assigned(99, 80, 0.29), (Ids{UNKNOWN_INSTANCE, UNKNOWN_INSTANCE}));
+    EXPECT_EQ(TwoOpinions(100).assigned(80, 79, 0.2), (Ids{7, UNKNOWN_INSTANCE}));
+    EXPECT_EQ(TwoOpinions(100).assigned(99, 80, 0.19), (Ids{UNKNOWN_INSTANCE, UNKNOWN_INSTANCE}));
 }
 
 TEST(EvidentialAssociation, WhatOverlapsLessButIsNamedAlikeIsPreferred)
@@ -105,13 +105,13 @@ TEST(EvidentialAssociation, AClaimedInstanceIsNotSeenUnderAnotherName)
 TEST(EvidentialAssociation, AnOutvotedInstanceIsFoundWhereItWasSeen)
 {
     // Of no voxel of the opinion enough evidence is for it, but it was seen in 80 of 100.
-    Overlap outvoted{3, 0, 100, 20, 0, 100, 0.3, 80};
+    Overlap outvoted{3, 0, 100, 20, 0, 100, 0.2, 80};
     EXPECT_EQ(assigned({outvoted}), 3U);
     outvoted.touchedVoxels = 79;
     EXPECT_EQ(assigned({outvoted}), UNKNOWN_INSTANCE);
     outvoted.touchedVoxels = 80;
     EXPECT_EQ(assigned({outvoted}, "use_similarity = false"), UNKNOWN_INSTANCE);
-    outvoted.similarity = 0.29;
+    outvoted.similarity = 0.19;
     EXPECT_EQ(assigned({outvoted}), UNKNOWN_INSTANCE);
     EXPECT_EQ(assigned({outvoted}, "tau_iou = 0"), UNKNOWN_INSTANCE) << "no voxel in common";
 }
