@@ -10,6 +10,7 @@
 #include "voxeland/io/ExportAll.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
+#include "voxeland/numbers.h"
 #include "voxeland/pipeline/MappingTrace.h"
 #include "voxeland/pipeline/TimingLog.h"
 #include "voxeland/plugins/PluginLoader.h"
@@ -60,6 +61,8 @@ struct Arguments : apps::CommandLine
         "",
         "MAP.voxeland",
         parser()};
+    TCLAP::SwitchArg strict{"", "strict", "A frame whose depth image cannot be used is an error",
+                            parser()};
     apps::SetArgument set{"configuration", parser()};
     TCLAP::ValueArg<uint32_t> every{"",  "every", "Use one frame in so many (default: 1)", false, 1,
                                     "N", parser()};
@@ -120,6 +123,26 @@ void warnOfRepetition(Arguments& arguments, const MappingCounts& before)
                    std::to_string(met));
 }
 
+/** Warns of what was left out, or came to nothing. */
+void warnOf(Arguments& arguments, const MappedInput& met)
+{
+    constexpr double FEW = 0.05;  // of the depths measured
+    if (met.leftOut.count() > 0)
+        arguments.warn(counted(met.leftOut.count(), "frame") +
+                       " left out (--strict: an error); the first: " + met.leftOut.first());
+    const auto measured = static_cast<double>(met.depths.pixels);
+    if (static_cast<double>(met.depths.used) < FEW * measured)
+        arguments.warn("only " +
+                       fixedText(100 * static_cast<double>(met.depths.used) / measured, 1) +
+                       " % of the depths, of " + fixedText(met.depths.nearest, 3) + " to " +
+                       fixedText(met.depths.farthest, 3) +
+                       " m, lie between min_depth and max_depth: check the scans' rangeUnits");
+    if (met.predictions > 0 && met.opinions == 0)
+        arguments.warn("none of " + counted(met.predictions, "prediction") +
+                       " became an opinion: no mask has enough depth in it; check the camera "
+                       "parameters and relativePoseIntensityWRTDepth");
+}
+
 /** Maps the rawlog. \return each frame's stage times */
 TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
 {
@@ -131,14 +154,15 @@ TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
     apps::Progress progress("frames", 0, !arguments.quiet());
     TimingLog timing;
     size_t done = 0;
-    mapRawlog(source, map, [&](const mrpt::Clock::time_point& taken, const StageTimes& times) {
+    const auto onFrame = [&](const mrpt::Clock::time_point& taken, const StageTimes& times) {
         if (timesBefore.count(taken) > 0) {
             warnOfRepetition(arguments, before);
             timesBefore.clear();  // once will do
         }
         timing.add(times);
         progress.update(++done, source.progress());
-    });
+    };
+    warnOf(arguments, mapRawlog(source, map, onFrame, arguments.strict.isSet()));
     return timing;
 }
 

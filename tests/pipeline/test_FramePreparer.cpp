@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Frames.h"
 #include "voxeland/errors.h"
+#include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/FramePreparer.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,9 @@ TEST_P(WithThreads, AnUnusableFrameIsReportedAfterThoseBefore)
 {
     FramePreparer preparer(m_mapper, source(m_read, 7), GetParam());
     for (int i = 0; i < 7; ++i) ASSERT_TRUE(preparer.next()) << i;
-    EXPECT_THROW(preparer.next(), InputError);
+    EXPECT_THROW(preparer.next(), UnusableFrame);
+    for (int i = 8; i < FRAMES; ++i) ASSERT_TRUE(preparer.next()) << i;
+    EXPECT_FALSE(preparer.next());
 }
 
 TEST_P(WithThreads, ADamagedFileIsReportedAfterTheFramesBefore)

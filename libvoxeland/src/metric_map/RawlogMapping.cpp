@@ -2,7 +2,11 @@
 #include "voxeland/metric_map/RawlogMapping.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/numbers.h"
+#include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/FramePredictor.h"
+
+#include <mrpt/system/datetime.h>
 
 namespace voxeland
 {
@@ -22,26 +26,72 @@ void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
         "none of the rawlog's " + std::to_string(source.framesMet()) +
         " frames has a pose: check pose_source, or give a trajectory with --poses");
 }
+/** The next frame that measured something; those before are left out.
+ *  \param unreadable set if one of them is left out for another reason */
+std::optional<PreparedFrame> nextUsable(FramePreparer& preparer, LeftOut& leftOut, bool& unreadable)
+{
+    for (;;) {
+        try {
+            auto frame = preparer.next();
+            if (!frame || frame->voxels.depths().pixels > 0) return frame;
+            leftOut.add("the frame of " + mrpt::system::dateTimeToString(frame->time) +
+                        " measured nothing: all of its depth image is unknown");
+        } catch (const UnusableFrame& e) {
+            unreadable = true;
+            leftOut.add(e.what());
+        }
+    }
+}
+
+[[noreturn]] void failWithoutFrames(const LeftOut& leftOut, bool unreadable)
+{
+    if (unreadable) throw InputError(leftOut.first());
+    throw NothingToMapError("none of the rawlog's frames can be mapped: " + leftOut.first());
+}
+
+void checkDepths(const DepthsMet& met, const DepthLimits& limits)
+{
+    if (met.used > 0) return;
+    throw NothingToMapError(
+        "no depth lies between min_depth and max_depth, " + numberText(limits.min_depth) + " and " +
+        numberText(limits.max_depth) + " m; those met are of " + fixedText(met.nearest, 3) +
+        " to " + fixedText(met.farthest, 3) + " m: correct the scans' rangeUnits, or these limits");
+}
 }  // namespace
 
-void mapRawlog(
+MappedInput mapRawlog(
     RawlogFrameSource& source, CVoxelandMap& map,
-    const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame)
+    const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame,
+    bool strict)
 {
-    bool mapped = false;
+    MappedInput met;
+    met.leftOut = LeftOut(strict);
+    bool mapped = false, unreadable = false;
     {
         const SemanticMapper& mapper = map.mapper();
         FramePredictor predictor(mapper, [&] { return source.next(); });
         FramePreparer preparer(
-            mapper, [&] { return predictor.next(); }, mapper.config().input.threads);
-        while (auto frame = preparer.next()) {
+            mapper,
+            [&] {
+                auto frame = predictor.next();
+                if (frame && frame->instances)
+                    met.predictions += frame->instances->instances.size();
+                return frame;
+            },
+            mapper.config().input.threads);
+        while (auto frame = nextUsable(preparer, met.leftOut, unreadable)) {
             const auto time = frame->time;
+            met.depths.add(frame->voxels.depths());
+            met.opinions += frame->opinions.size();
             onFrame(time, map.integrate(std::move(*frame)));
             mapped = true;
         }
     }
+    if (!mapped && met.leftOut.count() > 0) failWithoutFrames(met.leftOut, unreadable);
     checkSomethingMapped(source, mapped);
+    checkDepths(met.depths, map.mapper().config().input.depth);
     map.addSkipped(source.skipped());
+    return met;
 }
 
 std::set<mrpt::Clock::time_point> timesOfViews(const SemanticVoxelMap& map)

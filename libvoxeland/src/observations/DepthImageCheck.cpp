@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthImageCheck.h"
 
-#include "voxeland/errors.h"
+#include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/system/datetime.h>
@@ -21,21 +21,22 @@ std::string frameName(const mrpt::obs::CObservation& o)
 void checkDepthImage(const CObservation3DRangeScan& scan)
 {
     if (!scan.hasRangeImage)
-        throw InputError(frameName(scan) +
-                         " has no depth image: only scans with one can be mapped");
+        throw UnusableFrame(frameName(scan) +
+                            " has no depth image: only scans with one can be mapped");
     const auto& image = scan.rangeImage;
     const TCamera& camera = scan.cameraParams;
     if (image.cols() != static_cast<int>(camera.ncols) ||
         image.rows() != static_cast<int>(camera.nrows))
-        throw InputError(frameName(scan) + " has a depth image of " +
-                         sizeText(image.cols(), image.rows()) + " pixels but a calibration for " +
-                         sizeText(camera.ncols, camera.nrows) + ": correct its cameraParams");
+        throw UnusableFrame(frameName(scan) + " has a depth image of " +
+                            sizeText(image.cols(), image.rows()) +
+                            " pixels but a calibration for " +
+                            sizeText(camera.ncols, camera.nrows) + ": correct its cameraParams");
     const bool valid = camera.fx() > 0 && camera.fy() > 0 && std::isfinite(camera.cx()) &&
                        std::isfinite(camera.cy()) && scan.rangeUnits > 0 &&
                        std::isfinite(scan.rangeUnits);
     if (!valid)
-        throw InputError(frameName(scan) +
-                         " has an invalid calibration or depth unit: correct its "
-                         "cameraParams and rangeUnits");
+        throw UnusableFrame(frameName(scan) +
+                            " has an invalid calibration or depth unit: correct its "
+                            "cameraParams and rangeUnits");
 }
 }  // namespace voxeland

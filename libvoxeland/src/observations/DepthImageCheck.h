@@ -20,7 +20,7 @@ std::string sizeText(Integer columns, Integer rows)
     return std::to_string(columns) + "x" + std::to_string(rows);
 }
 
-/** \throws InputError, naming the frame, for scans without a depth image or with invalid
+/** \throws UnusableFrame, naming the frame, for scans without a depth image or with invalid
  *  calibration or units */
 void checkDepthImage(const mrpt::obs::CObservation3DRangeScan& scan);
 }  // namespace voxeland

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/FramePreparer.h"
 
+#include "voxeland/observations/UnusableFrame.h"
+
 namespace voxeland
 {
 FramePreparer::FramePreparer(const SemanticMapper& mapper, Source source, unsigned threads)
@@ -32,7 +34,15 @@ std::optional<PreparedFrame> FramePreparer::next()
     std::unique_lock<std::mutex> lock(m_mutex);
     m_changed.wait(lock, [this] { return m_ready.count(m_nextWanted) != 0; });
     Result& result = m_ready[m_nextWanted];
-    if (result.error) std::rethrow_exception(result.error);
+    if (result.error) {
+        try {
+            std::rethrow_exception(result.error);
+        } catch (const UnusableFrame&) {
+            m_ready.erase(m_nextWanted++);
+            m_changed.notify_all();
+            throw;
+        }
+    }
     if (!result.frame) return std::nullopt;
     auto frame = m_ready.extract(m_nextWanted++);
     m_changed.notify_all();

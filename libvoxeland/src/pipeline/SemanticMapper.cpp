@@ -3,6 +3,7 @@
 
 #include "voxeland/errors.h"
 #include "voxeland/observations/MaskCamera.h"
+#include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/Integration.h"
 #include "voxeland/pipeline/MappingTrace.h"
 #include "voxeland/pipeline/Refinement.h"
@@ -22,9 +23,9 @@ void decode(const RgbdFrame& frame, StageTimes& times)
     try {
         frame.scan->load();
     } catch (const std::exception&) {
-        throw InputError("the depth image '" +
-                         frame.scan->rangeImage_getExternalStorageFileAbsolutePath("") +
-                         "' cannot be read: restore the rawlog's folder of images");
+        throw UnusableFrame("the depth image '" +
+                            frame.scan->rangeImage_getExternalStorageFileAbsolutePath("") +
+                            "' cannot be read: restore the rawlog's folder of images");
     }
 }
 /** Plugins are other people's code: what they return must not spoil a map. */

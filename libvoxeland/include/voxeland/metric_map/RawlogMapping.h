@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/LeftOut.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 
@@ -8,13 +9,26 @@
 
 namespace voxeland
 {
-/** Maps all frames of a rawlog, which are read and prepared ahead in several threads.
+/** What mapRawlog() met. */
+struct MappedInput
+{
+    LeftOut leftOut;           //!< frames without a usable depth image
+    DepthsMet depths;          //!< of all frames mapped
+    uint64_t predictions = 0;  //!< of the frames that have a pose
+    uint64_t opinions = 0;     //!< that they became
+};
+
+/** Maps all frames of a rawlog, which are read and prepared ahead in several threads. A frame
+ *  whose depth image is missing, damaged or empty is left out.
  *  \param onFrame called after each frame with its timestamp and stage times
- *  \throws InputError as RawlogFrameSource and SemanticMapper do; NothingToMapError if there is no
- * frame with a pose. The map then holds the frames before. */
-void mapRawlog(
+ *  \param strict such a frame is an error instead
+ *  \throws InputError as RawlogFrameSource and SemanticMapper do, and if no frame is usable;
+ *  NothingToMapError if there is no frame with a pose, or none with a depth within the limits. The
+ * map then holds the frames before. */
+MappedInput mapRawlog(
     RawlogFrameSource& source, CVoxelandMap& map,
-    const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame);
+    const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame,
+    bool strict = false);
 
 /** Timestamps of the frames that a map is known to hold: those of which it keeps views. */
 std::set<mrpt::Clock::time_point> timesOfViews(const SemanticVoxelMap& map);

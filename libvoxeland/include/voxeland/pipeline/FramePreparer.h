@@ -28,7 +28,8 @@ class FramePreparer
     FramePreparer(const FramePreparer&) = delete;
     FramePreparer& operator=(const FramePreparer&) = delete;
 
-    /** The next frame, or none at the end. What reading or preparing it threw is thrown again here.
+    /** The next frame, or none at the end. What reading or preparing it threw is thrown again here;
+     * after an UnusableFrame the next call gives the frame behind it.
      */
     std::optional<PreparedFrame> next();
 
