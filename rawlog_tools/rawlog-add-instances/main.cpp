@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Adds a detector's predictions to a rawlog. */
 #include "common/CommandLine.h"
+#include "common/Interruption.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "voxeland/counted.h"
 #include "voxeland/datasets/RawlogPredictions.h"
+#include "voxeland/datasets/UnfinishedPredictions.h"
 #include "voxeland/errors.h"
 #include "voxeland/pipeline/MapperConfig.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
+#include <filesystem>
 #include <iostream>
 
 using namespace voxeland;
+namespace fs = std::filesystem;
 
 namespace
 {
@@ -23,9 +27,11 @@ const char* const DESCRIPTION = R"(Adds a detector's predictions to a rawlog wit
   rawlog-add-instances -i k.rawlog --dnn yolov8.ini -o k.rawlog
 
 They come from a file, or from a network that looks at the colour images (--dnn). image_id is the
-name of a frame's image or of one that the file lists, else it counts the RGB-D frames from 0. The predictions go to the file NAME.instances.rawlog beside the
-output NAME.rawlog, which is a copy of the input unless both are the same; its external images are
-found through a link. With --embed they go into the output, which then needs programs that load
+name of a frame's image or of one that the file lists, else it counts the RGB-D frames from 0. The
+predictions go to the file NAME.instances.rawlog beside the output NAME.rawlog, which is a copy of
+the input unless both are the same; its external images are found through a link. A run with --dnn
+that was stopped (Ctrl-C) or killed leaves what the network said so far in NAME.instances.rawlog.unfinished; the same
+command goes on from there. With --embed they go into the output, which then needs programs that load
 libvoxeland.)";
 
 /** The program's command line. */
@@ -75,17 +81,67 @@ void check(const Arguments& arguments)
         throw ConfigurationError("--set goes with --dnn");
 }
 
+/** A file and when it was written; its name alone if it is none. */
+std::string stateOf(const std::string& file)
+{
+    std::error_code error;
+    const auto size = fs::file_size(file, error);
+    const auto written = fs::last_write_time(file, error).time_since_epoch().count();
+    return file + (error ? "" : " " + std::to_string(size) + " " + std::to_string(written)) + "\n";
+}
+
+/** What makes predictions. */
+struct Network
+{
+    std::shared_ptr<const COpinionConverter> converter;
+    std::string origin;  //!< what its predictions depend on
+};
+
 /** The converter of the INI, which must be one that makes predictions. */
-std::shared_ptr<const COpinionConverter> network(Arguments& arguments)
+Network networkOf(Arguments& arguments)
 {
     Ini ini = Ini::fromFile(arguments.dnn.getValue());
     arguments.set.applyTo(ini);
-    auto converter = MapperConfig(ini).converter;
+    const MapperConfig config(ini);
+    const auto& converter = config.converter;
     if (!converter->makesPredictions())
         throw ConfigurationError("[converter] of '" + arguments.dnn.getValue() +
                                  "' makes no predictions: name a class that does, such as "
                                  "CDnnConverter");
-    return converter;
+    return {converter, config.reproducibleText() + stateOf(ini.value("converter", "model"))};
+}
+
+using ProgressOfFrames = std::function<void(size_t frames, double share)>;
+
+/** Thrown to leave a long job that the user stopped. */
+struct Stopped
+{
+};
+
+/** The network's predictions. What it said before it was stopped is kept beside the output. */
+AddedPredictions addSeen(Arguments& arguments, const AddPredictionsOptions& options,
+                         const ProgressOfFrames& progress)
+{
+    const std::string &in = arguments.input.getValue(), &out = arguments.output.getValue();
+    const Network network = networkOf(arguments);
+    UnfinishedPredictions kept(RawlogFiles(out).sidecar.string() + ".unfinished",
+                               network.origin + stateOf(in) + options.sensorLabel);
+    if (kept.frames() > 0)
+        arguments.note("going on after " + counted(kept.frames(), "frame") + " of an earlier run");
+    const PredictionSource look = [&](size_t, const mrpt::obs::CObservation3DRangeScan& scan) {
+        return network.converter->predict(scan);
+    };
+    const PredictionSource seen = [&](size_t frame,
+                                      const mrpt::obs::CObservation3DRangeScan& scan) {
+        return kept.of(frame, scan, look);
+    };
+    const apps::Interruption interruption;
+    const auto added = addPredictions(in, seen, out, options, [&](size_t frames, double share) {
+        progress(frames, share);
+        if (interruption.wasRequested()) throw Stopped();
+    });
+    kept.discard();
+    return added;
 }
 
 AddedPredictions add(Arguments& arguments)
@@ -108,11 +164,7 @@ AddedPredictions add(Arguments& arguments)
         for (const std::string& warning : matched.warnings()) arguments.warn(warning);
         return added;
     }
-    const auto converter = network(arguments);
-    const PredictionSource seen = [&](size_t, const mrpt::obs::CObservation3DRangeScan& scan) {
-        return converter->predict(scan);
-    };
-    return addPredictions(in, seen, out, options, progress);
+    return addSeen(arguments, options, progress);
 }
 
 void printSummary(const AddedPredictions& added, Arguments& arguments)
@@ -134,7 +186,13 @@ int run(int argc, char** argv)
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
     check(arguments);
-    printSummary(add(arguments), arguments);
+    try {
+        printSummary(add(arguments), arguments);
+    } catch (const Stopped&) {
+        arguments.note(
+            "stopped; what the network said is kept: the same command goes on from there");
+        return apps::INTERRUPTED;
+    }
     return 0;
 }
 }  // namespace
