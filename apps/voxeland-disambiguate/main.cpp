@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Asks a back-end about the objects of a map whose category is uncertain. */
+#include "common/AsTyped.h"
 #include "common/CommandLine.h"
 #include "common/Interruption.h"
 #include "common/Progress.h"
@@ -11,6 +12,7 @@
 #include "voxeland/disambiguation/DisambiguationReport.h"
 #include "voxeland/disambiguation/DryRun.h"
 #include "voxeland/disambiguation/Questions.h"
+#include "voxeland/disambiguation/Revision.h"
 #include "voxeland/disambiguation/ViewChoice.h"
 #include "voxeland/disambiguation/ViewPictures.h"
 #include "voxeland/errors.h"
@@ -152,6 +154,17 @@ void sayTooSmall(const SemanticVoxelMap& map, const DisambiguationOptions& optio
                   << counted(options.min_voxels, "voxel") << " ([disambiguation] min_voxels)\n";
 }
 
+/** What somebody has to do before the same command goes on. */
+void sayWaiting(const DisambiguationReport& report, const std::string& howToAnswer,
+                const std::vector<std::string>& command)
+{
+    size_t waiting = 0;
+    for (const ReportedQuestion& q : report.questions()) waiting += q.outcome.waiting ? 1 : 0;
+    if (waiting == 0 || howToAnswer.empty()) return;
+    std::cout << counted(waiting, "question") << " without an answer: " << howToAnswer
+              << ", then go on with\n  " << apps::asTyped(command) << "\n";
+}
+
 /** Ends the program without waiting for what is being asked. */
 [[noreturn]] void endInterrupted(size_t answered)
 {
@@ -163,7 +176,7 @@ void sayTooSmall(const SemanticVoxelMap& map, const DisambiguationOptions& optio
 
 /** Asks all questions; the map is saved whenever answers have come. \return what came of them */
 DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const MapperConfig& config,
-                            std::vector<DisambiguationQuestion> questions)
+                            const Revision& revision, std::vector<DisambiguationQuestion> questions)
 {
     DisambiguationReport report;
     for (const DisambiguationQuestion& q : questions) report.before(map.map(), q.instance);
@@ -173,7 +186,8 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
     Asking asking(config.disambiguator, std::move(questions), config.disambiguation);
     while (auto outcomes = asking.next()) {
         for (QuestionOutcome& o : *outcomes) {
-            if (o.decision) decide(map.editMap(), o.instance, *o.decision, config.disambiguation);
+            if (o.decision)
+                revision.decide(map.editMap(), o.instance, *o.decision, config.disambiguation);
             report.after(map.map(), std::move(o));
             ++done;
         }
@@ -188,17 +202,30 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
     return report;
 }
 
-int ask(Arguments& arguments, CVoxelandMap& map)
+/** The questions to ask about a map; also those that a back-end that keeps its answers decided in
+ * earlier runs, in the same words. */
+std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const SemanticVoxelMap& map,
+                                                  const Revision& revision, MapperConfig config)
+{
+    if (!config.disambiguator->keepsAnswers()) return makeQuestions(arguments, map, config);
+    SemanticVoxelMap asked = map;
+    const auto again = static_cast<uint32_t>(revision.withdraw(asked));
+    if (config.disambiguation.max_questions > 0) config.disambiguation.max_questions += again;
+    return makeQuestions(arguments, asked, config);
+}
+
+int ask(Arguments& arguments, CVoxelandMap& map, const std::vector<std::string>& command)
 {
     MapperConfig config(configuration(arguments, map));
     config.input = map.withCamera(config.input);
     const bool dry = arguments.dryRun.isSet();
     if (!dry) config.disambiguator->start();
+    const Revision revision(map.map(), config.disambiguator->GetRuntimeClass()->className);
     if (!dry && !config.disambiguation.ask_again)
         if (const size_t n = takeOverDecisions(map, arguments.output.getValue()); n > 0)
             arguments.note("going on with " + counted(n, "decision") + " in '" +
                            arguments.output.getValue() + "'");
-    auto questions = makeQuestions(arguments, map.map(), config);
+    auto questions = makeQuestions(arguments, map.map(), revision, config);
     if (dry) {
         writeQuestions(questions, config.disambiguation, arguments.dryRun.getValue());
         sayEstimate(estimate(questions, config.disambiguation));
@@ -206,9 +233,11 @@ int ask(Arguments& arguments, CVoxelandMap& map)
         return 0;
     }
     saveMap(map, arguments.output.getValue());
-    const DisambiguationReport report = askAll(arguments, map, config, std::move(questions));
+    const DisambiguationReport report =
+        askAll(arguments, map, config, revision, std::move(questions));
     std::cout << report.asText();
     sayTooSmall(map.map(), config.disambiguation);
+    sayWaiting(report, config.disambiguator->howToAnswer(), command);
     for (const ReportedQuestion& q : report.questions())
         if (q.outcome.failed)
             throw DisambiguationError("some questions have no answer: " + q.outcome.problem +
@@ -223,7 +252,8 @@ int run(int argc, char** argv)
     if (!arguments.parse(argc, argv)) return 0;
     checkArguments(arguments);
     const auto map = loadMap(arguments.map.getValue());
-    return arguments.undo.isSet() ? undo(arguments, *map) : ask(arguments, *map);
+    return arguments.undo.isSet() ? undo(arguments, *map)
+                                  : ask(arguments, *map, {argv, argv + argc});
 }
 }  // namespace
 

@@ -49,6 +49,14 @@ std::optional<DisambiguationAnswer> CReplayDisambiguator::ask(
         folder.writeForm(question);
     return answer;
 }
+
+std::string CReplayDisambiguator::howToAnswer() const
+{
+    if (m_recorded) return m_recorded->howToAnswer();
+    return "look at the pictures in each folder of '" +
+           std::filesystem::absolute(m_folder).lexically_normal().string() +
+           "' and write into its answer.txt what the object is";
+}
 }  // namespace voxeland
 
 MRPT_INITIALIZER(registerReplayDisambiguator)

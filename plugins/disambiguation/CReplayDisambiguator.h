@@ -21,6 +21,9 @@ class CReplayDisambiguator : public CDisambiguator
     /** \throws OutputError if a question or an answer cannot be written */
     [[nodiscard]] std::optional<DisambiguationAnswer> ask(
         const DisambiguationQuestion& question) const override;
+    [[nodiscard]] bool keepsAnswers() const override { return true; }
+    /** That of the back-end it records, if any. */
+    [[nodiscard]] std::string howToAnswer() const override;
 
  private:
     std::string m_folder = "questions", m_recordConfig;

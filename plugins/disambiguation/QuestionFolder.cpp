@@ -72,8 +72,7 @@ std::string form(const DisambiguationQuestion& question)
     std::string categories;
     for (const RankedCategory& c : question.candidates) categories += c.name + ", ";
     return "# What is it? Look at the pictures beside this file; prompt.txt says what they show.\n"
-           "# Then write below:  The object category is X.\n"
-           "# where X is one of: " +
+           "# Then write below which of these it is: " +
            categories + "unknown\n# Lines that start with # do not count.\n";
 }
 
@@ -81,8 +80,11 @@ std::string form(const DisambiguationQuestion& question)
 std::string readPersonsAnswer(const fs::path& file)
 {
     std::ifstream in(file);
+    static const std::string BYTE_ORDER_MARK = "\xef\xbb\xbf";
     std::string text;
     for (std::string line; std::getline(in, line);) {
+        if (line.compare(0, BYTE_ORDER_MARK.size(), BYTE_ORDER_MARK) == 0)
+            line.erase(0, BYTE_ORDER_MARK.size());
         const std::string words = trimmed(line);
         if (words.empty() || words[0] == '#') continue;
         text += (text.empty() ? "" : "\n") + words;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 using namespace voxeland;
@@ -146,6 +147,66 @@ TEST_F(Disambiguate, ASecondRunGoesOnWhereTheFirstStopped)
         for (const json& q : first) EXPECT_NE(again.at("instance"), q.at("instance"));
     ASSERT_EQ(run(all).exitCode, 0);
     EXPECT_TRUE(report().empty()) << "everything is decided";
+}
+
+TEST_F(Disambiguate, APersonIsToldWhereToAnswerAndMayEditTheAnswer)
+{
+    const std::string folder = file("asked of a person");
+    const auto person = [&] {
+        return run({"--set", "disambiguation.plugin=replay", "--set",
+                    "disambiguation.class=CReplayDisambiguator", "--set",
+                    "disambiguation.folder=" + folder, "--set", "disambiguation.max_questions=2",
+                    "--report", file("report.json")});
+    };
+    const auto first = person();
+    ASSERT_EQ(first.exitCode, 0) << first.errors;
+    for (const std::string& part :
+         {std::string("2 questions without an answer"), "'" + folder + "'",
+          std::string("answer.txt"), "'disambiguation.folder=" + folder + "'"})
+        EXPECT_NE(first.output.find(part), std::string::npos) << part << "\n" << first.output;
+
+    const auto answers = [&] {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(folder))
+            files.push_back(entry.path() / "answer.txt");
+        std::sort(files.begin(), files.end());
+        return files;
+    }();
+    ASSERT_EQ(answers.size(), 2U);
+    const auto candidate = [](const fs::path& answer, size_t number) {
+        return json::parse(test::readFile(answer.parent_path() / "question.json"))
+            .at("candidates")
+            .at(number)
+            .at("category")
+            .get<std::string>();
+    };
+    const auto decided = [&] {
+        for (const json& q : report())
+            if (answers[0].parent_path().filename().string().rfind(
+                    "instance-" + std::to_string(q.at("instance").get<int>()) + "-", 0) == 0)
+                return q.at("after").at("category").get<std::string>();
+        return std::string("not asked");
+    };
+    test::writeFile(answers[0], "A " + candidate(answers[0], 1) + ".\n");
+    const auto second = person();
+    ASSERT_EQ(second.exitCode, 0) << second.errors;
+    EXPECT_NE(second.output.find("1 question without an answer"), std::string::npos)
+        << second.output;
+    EXPECT_EQ(decided(), candidate(answers[0], 1));
+    fs::copy_file(file("out.voxeland"), file("again.voxeland"));
+
+    ASSERT_EQ(person().exitCode, 0);
+    EXPECT_TRUE(sameContent("again.voxeland", "out.voxeland")) << "nothing new";
+    test::writeFile(answers[0], candidate(answers[0], 0) + "\n");
+    ASSERT_EQ(person().exitCode, 0);
+    EXPECT_EQ(decided(), candidate(answers[0], 0));
+    EXPECT_FALSE(sameContent("again.voxeland", "out.voxeland"));
+
+    fs::remove_all(folder);
+    fs::remove(file("again.voxeland"));
+    fs::copy_file(file("out.voxeland"), file("again.voxeland"));
+    ASSERT_EQ(person().exitCode, 0);
+    EXPECT_TRUE(sameContent("again.voxeland", "out.voxeland")) << "decisions outlive the folder";
 }
 
 TEST_F(Disambiguate, FailuresEndWithOneSentenceAndKeepWhatWasAnswered)

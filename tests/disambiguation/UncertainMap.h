@@ -20,7 +20,7 @@ inline instance_id_t addInstance(SemanticVoxelMap& map, double chair, double cou
         view.frame = 10 * instance.id + c;
         view.area = 100;
         view.score = view.probability = 1;
-        instance.views.add(category, view, map.options().views);
+        instance.views.add(category, view, map.options().views_kept);
     }
     for (int32_t x = 0; x < voxels; ++x) {
         const VoxelCoord v = {x, static_cast<int32_t>(instance.id) * 5, 0};

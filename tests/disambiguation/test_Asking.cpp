@@ -22,6 +22,7 @@ class CScripted : public CDisambiguator
  public:
     std::map<instance_id_t, std::vector<std::string>> script;
     mutable std::map<instance_id_t, std::vector<std::string>> prompts;
+    std::string byHand;  //!< see howToAnswer()
 
     [[nodiscard]] std::string description() const override { return "a script"; }
     void declareOptions(OptionList&) override {}
@@ -47,6 +48,8 @@ class CScripted : public CDisambiguator
         answer.seconds = 2;
         return answer;
     }
+
+    [[nodiscard]] std::string howToAnswer() const override { return byHand; }
 
     /** Number of instances asked about so far. */
     [[nodiscard]] size_t asked() const
@@ -97,6 +100,22 @@ TEST(Asking, EachAttemptHasWordsOfItsOwn)
     EXPECT_EQ(prompts.size(), 3U);
     EXPECT_EQ(std::set<std::string>(prompts.begin(), prompts.end()).size(), 3U)
         << "a recorded answer belongs to the words of its question";
+}
+
+TEST(Asking, WhoeverAnswersByHandIsAskedOnceAndMayAnswerLater)
+{
+    const auto backend = scripted({{7, {"hm"}}, {8, {""}}, {9, {"couch"}}});
+    EXPECT_FALSE(askUntilUsable(*backend, question(7), {}).waiting) << "asked in vain";
+    EXPECT_TRUE(askUntilUsable(*backend, question(8), {}).waiting);
+    backend->byHand = "write it down";
+    backend->prompts.clear();
+    const auto unclear = askUntilUsable(*backend, question(7), {});
+    EXPECT_TRUE(unclear.waiting);
+    EXPECT_NE(unclear.problem.find("hm"), std::string::npos) << unclear.problem;
+    EXPECT_EQ(backend->prompts[7].size(), 1U);
+    const auto clear = askUntilUsable(*backend, question(9), {});
+    EXPECT_TRUE(clear.decision);
+    EXPECT_FALSE(clear.waiting);
 }
 
 TEST(Asking, ADecisionRemembersWhoSaidWhatAndWhatItTook)

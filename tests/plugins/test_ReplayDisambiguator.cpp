@@ -89,6 +89,25 @@ TEST_F(ReplayDisambiguator, aPersonAnswersByEditingOneFile)
     EXPECT_EQ(answer->model, "a person");
 }
 
+TEST_F(ReplayDisambiguator, saysWhereAPersonAnswersUnlessAnotherBackEndDoes)
+{
+    EXPECT_NE(replay()->howToAnswer().find("'" + questions() + "'"), std::string::npos)
+        << replay()->howToAnswer();
+    EXPECT_EQ(recorder()->howToAnswer(), "");
+    EXPECT_TRUE(replay()->keepsAnswers());
+    EXPECT_FALSE(top()->keepsAnswers());
+}
+
+TEST_F(ReplayDisambiguator, anEditorMayHaveAddedAByteOrderMark)
+{
+    EXPECT_FALSE(replay()->ask(couchOrChair()));
+    const fs::path file = onlyQuestion() / "answer.txt";
+    test::writeFile(file, "\xef\xbb\xbf" + test::readFile(file));
+    EXPECT_FALSE(replay()->ask(couchOrChair())) << "the first line does not count";
+    std::ofstream(file, std::ios::app) << "chair\r\n";
+    EXPECT_EQ(replay()->ask(couchOrChair())->text, "chair");
+}
+
 TEST_F(ReplayDisambiguator, askingAgainKeepsWhatAPersonWrote)
 {
     EXPECT_FALSE(replay()->ask(couchOrChair()));

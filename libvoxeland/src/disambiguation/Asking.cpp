@@ -19,10 +19,13 @@ QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQues
     const std::string firstPrompt = question.prompt;
     Decision decision;
     decision.source = backend.GetRuntimeClass()->className;
-    for (uint32_t attempt = 1; attempt <= options.max_attempts; ++attempt) {
+    outcome.waiting = !backend.howToAnswer().empty();
+    const uint32_t attempts = outcome.waiting ? 1 : options.max_attempts;
+    for (uint32_t attempt = 1; attempt <= attempts; ++attempt) {
         const auto answer = backend.ask(question);
         if (!answer) {
             outcome.problem = "there is no answer yet";
+            outcome.waiting = true;
             return outcome;
         }
         decision.model = answer->model;
@@ -36,6 +39,7 @@ QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQues
             decision.time = mrpt::Clock::now();
             decision.cost = costOf(decision.promptTokens, decision.answerTokens, options);
             outcome.decision = decision;
+            outcome.waiting = false;
             return outcome;
         }
         question.prompt = firstPrompt + askedAgain(question, attempt + 1);

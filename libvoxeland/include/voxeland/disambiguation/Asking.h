@@ -20,11 +20,13 @@ struct QuestionOutcome
 {
     instance_id_t instance = UNKNOWN_INSTANCE;
     std::optional<Decision> decision;  //!< its evidence is not set yet
-    std::string problem;  //!< why there is none, empty if there is, or if it was not asked
-    bool failed = false;  //!< whether that was a failure of the back-end
+    std::string problem;   //!< why there is none, empty if there is, or if it was not asked
+    bool failed = false;   //!< whether that was a failure of the back-end
+    bool waiting = false;  //!< whether there may be an answer that can be used another time
 };
 
-/** Asks a back-end until its answer can be used, at most `max_attempts` times.
+/** Asks a back-end until its answer can be used, at most `max_attempts` times; once if somebody
+ * answers by hand (CDisambiguator::howToAnswer()).
  *  \throws what the back-end throws */
 QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQuestion question,
                                const DisambiguationOptions& options);

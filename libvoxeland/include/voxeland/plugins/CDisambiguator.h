@@ -37,7 +37,7 @@ struct DisambiguationAnswer
     double seconds = 0;                           //!< from question to answer
 };
 
-inline namespace abi_1
+inline namespace abi_2
 {
 /** Base of the plugins that decide an uncertain instance's category (paper, "Uncertainty
  * Exploitation Through Semantic Disambiguation"). Chosen in section [disambiguation] of the INI. */
@@ -53,6 +53,13 @@ class CDisambiguator : public Plugin
      *  can be either */
     [[nodiscard]] virtual std::optional<DisambiguationAnswer> ask(
         const DisambiguationQuestion& question) const = 0;
+
+    /** Whether answers stay where they were given, so that the same question costs nothing and its
+     * answer may have changed: what was decided by it in earlier runs is then asked again. */
+    [[nodiscard]] virtual bool keepsAnswers() const { return false; }
+    /** What somebody has to do about questions without an answer yet, as a clause such as "write it
+     * into ..."; empty if nobody has to. Such questions are not put in other words. */
+    [[nodiscard]] virtual std::string howToAnswer() const { return {}; }
 };
-}  // namespace abi_1
+}  // namespace abi_2
 }  // namespace voxeland
