@@ -2,9 +2,10 @@
 #include "common/PointArgument.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/numbers.h"
+#include "voxeland/trimmed.h"
 
 #include <cmath>
-#include <locale>
 #include <sstream>
 
 namespace voxeland::apps
@@ -14,17 +15,15 @@ namespace
 /** Reads finite numbers separated by commas, just as many as there are. */
 bool readNumbers(const std::string& text, std::initializer_list<double*> numbers)
 {
-    std::istringstream in(text);
-    in.imbue(std::locale::classic());
-    bool first = true;
+    std::istringstream in(text + ',');
+    std::string word;
     for (double* number : numbers) {
-        char comma = ',';
-        if (!first) in >> comma;
-        in >> *number;
-        if (in.fail() || comma != ',' || !std::isfinite(*number)) return false;
-        first = false;
+        std::getline(in, word, ',');
+        const auto value = parsed<double>(trimmed(word));
+        if (!value || !std::isfinite(*value)) return false;
+        *number = *value;
     }
-    return (in >> std::ws).eof();
+    return in.peek() == std::istringstream::traits_type::eof();
 }
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
 #include "voxeland/errors.h"
+#include "voxeland/io/CategorySearch.h"
 #include "voxeland/io/GlbFile.h"
 #include "voxeland/io/HeightSlice.h"
 #include "voxeland/io/InstancesCsv.h"
@@ -185,12 +186,27 @@ void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const LevelFr
     }
 }
 
+/** Whether any object is of a category, or that is *unknown*. */
+bool isInMap(const SemanticVoxelMap& map, const std::string& name)
+{
+    const auto fits = [&](const std::string& category) {
+        return nameFit(name, category) >= NameFit::plural;
+    };
+    const auto instances = summarizeInstances(map);
+    return fits(UNKNOWN_CATEGORY) ||
+           std::any_of(instances.begin(), instances.end(),
+                       [&](const InstanceSummary& s) { return fits(s.category()); });
+}
+
 void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
 {
     PointsFilter filter;
     filter.frame = frame;
     for (const std::string& name : arguments.category.getValue()) filter.categories.insert(name);
     for (const std::string& name : arguments.except.getValue()) filter.except.insert(name);
+    for (const auto* names : {&filter.categories, &filter.except})
+        for (const std::string& name : *names)
+            if (!isInMap(map, name)) arguments.warn(whyNoneIsFound(map, name));
     if (arguments.height.isSet()) filter.heights = heightsOf(arguments, map, frame, {});
     if (exportPoints(map, filter, arguments.points.getValue()) == 0)
         arguments.warn("no voxel is of these categories and heights");

@@ -4,6 +4,7 @@
 #include "common/PointArgument.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AnswersAsText.h"
+#include "voxeland/io/CategorySearch.h"
 #include "voxeland/io/InstanceExplanation.h"
 #include "voxeland/io/MapAnswers.h"
 #include "voxeland/io/Reobservation.h"
@@ -31,15 +32,16 @@ const char* const DESCRIPTION =
   voxeland-info kitchen.voxeland --explain 12           why object 12 is what it is: evidence, views,
                                                         merges, splits, decisions
 
---find ignores case; where no category has that name, part of one will do ("table" finds
+--find ignores case; in singular or plural; where no category has that name, part of one will do ("table" finds
 "dining table"). Finding nothing is an answer, not an error. With --json, the same as JSON.
 Coordinates are metres in the map's frame, entropies are in nat. Yaw and pitch of a camera are those of
 MRPT (pitch > 0 looks down), in the map's frame turned about its origin until up is z.)";
 
-/** What could have been found. */
-std::string foundInstead(const MapOverview& overview, const std::string& wanted)
+/** Why nothing was found, and what could have been. */
+std::string foundInstead(const CVoxelandMap& loaded, const std::string& wanted)
 {
-    std::string text = "no '" + wanted + "' in this map; it holds:";
+    const MapOverview overview = overviewOf(loaded.map(), loaded.counts());
+    std::string text = whyNoneIsFound(loaded.map(), wanted) + "; it holds:";
     for (const auto& [name, count] : overview.categories)
         text += " " + name + " (" + std::to_string(count) + ")";
     return text + (overview.categories.empty() ? " no objects" : "");
@@ -127,8 +129,7 @@ std::string instances(Arguments& arguments, const CVoxelandMap& loaded)
                                                : mrpt::math::TPoint3D();
     const auto found =
         finds ? findInstances(map, arguments.find.getValue(), origin) : listInstances(map);
-    if (found.empty() && finds)
-        arguments.note(foundInstead(overviewOf(map, loaded.counts()), arguments.find.getValue()));
+    if (found.empty() && finds) arguments.note(foundInstead(loaded, arguments.find.getValue()));
     if (arguments.json.isSet()) return asJson(map, found);
     return found.empty() ? "" : asText(found, finds, map.options().prior_strength > 0);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // "Go to the nearest couch": a path by MRPT's planner, in the frame of exported gridmaps.
+#include <voxeland/io/CategorySearch.h>
 #include <voxeland/io/DrivableFloor.h>
 #include <voxeland/io/MapAnswers.h>
 #include <voxeland/io/SmallInstances.h>
@@ -84,7 +85,7 @@ try {
         std::string known;
         for (const auto& c : voxeland::overviewOf(map, {}).categories)
             known += (known.empty() ? "" : ", ") + c.first;
-        throw std::runtime_error("no " + what + " in this map, but: " + known);
+        throw std::runtime_error(whyNoneIsFound(map, what) + "; it holds: " + known);
     }
     const voxeland::DrivableFloor floor(map, voxeland::LevelFrame(estimateUp(map)), ROBOT);
     if (!floor.fits(start)) throw std::runtime_error("the robot does not fit where it starts");

@@ -150,10 +150,13 @@ TEST_F(GoTo, TellsWhatIsWrong)
 {
     const auto unknown = goTo("zebra", s_start);
     EXPECT_EQ(unknown.exitCode, 1);
-    EXPECT_NE(unknown.errors.find("no zebra in this map, but:"), std::string::npos);
+    EXPECT_NE(unknown.errors.find("no 'zebra' in this map; it holds:"), std::string::npos);
     EXPECT_NE(unknown.errors.find(" couch"), std::string::npos) << unknown.errors;
     const auto outside = goTo("couch", {-50, 0});
     EXPECT_EQ(outside.exitCode, 1);
     EXPECT_NE(outside.errors.find("does not fit where it starts"), std::string::npos);
+    const auto beyond = goTo("couch", {1e9, 0});
+    EXPECT_EQ(beyond.exitCode, 1);
+    EXPECT_NE(beyond.errors.find("out of the map's range"), std::string::npos) << beyond.errors;
     EXPECT_EQ(test::runProgram(VOXELAND_GO_TO, {map(), "couch"}).exitCode, 1);
 }

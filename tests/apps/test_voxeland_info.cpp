@@ -77,6 +77,9 @@ TEST_F(VoxelandInfo, find)
     EXPECT_EQ(nothing.output, "");
     EXPECT_EQ(nothing.errors, "no 'sofa' in this map; it holds: chair (1)\n");
     EXPECT_EQ(askJson({"--find", "sofa"}), json::array());
+    EXPECT_EQ(askJson({"--find", "chairs"}).size(), 1U);
+    EXPECT_EQ(ask({"--find", "chiar"}).errors,
+              "no 'chiar' in this map (did you mean 'chair'?); it holds: chair (1)\n");
     EXPECT_EQ(ask({"--find", "sofa", "--quiet"}).errors, "");
     EXPECT_EQ(ask({"--find", "sofa", "-v", "warn"}).errors, "");
 }
@@ -123,6 +126,8 @@ TEST_F(VoxelandInfo, wrongUsageIsExitCode1)
          std::vector<std::vector<std::string>>{{"--at", "1,2"},
                                                {"--at", "1,2,x"},
                                                {"--at", "nan,0,0"},
+                                               {"--at", "838860.8,0,0"},
+                                               {"--find", "chair", "--from", "0,1e300,0"},
                                                {"--instances", "--find", "chair"},
                                                {"--from", "0,0,0"},
                                                {"--most", "3"},

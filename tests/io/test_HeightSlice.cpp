@@ -66,6 +66,17 @@ TEST(HeightSlice, theMostOccupiedVoxelOfAColumnDecides)
     EXPECT_THROW(sliceOf(levelHall(), LevelFrame(), {5, 6}), ConfigurationError);
 }
 
+TEST(HeightSlice, heightsFarBeyondTheMapAreItsOwn)
+{
+    constexpr double INF = std::numeric_limits<double>::infinity();
+    const auto map = levelHall();
+    const HeightSlice all = sliceOf(map, LevelFrame(), {-1, 2});
+    EXPECT_EQ(sliceOf(map, LevelFrame(), {-1e300, 1e6}).occupancy, all.occupancy);
+    EXPECT_EQ(sliceOf(map, LevelFrame(), {-INF, INF}).occupancy, all.occupancy);
+    EXPECT_EQ(sliceOf(map, LevelFrame(), {0.1, 1e9}).occupancy,
+              sliceOf(map, LevelFrame(), {0.1, 2}).occupancy);
+}
+
 TEST(HeightSlice, whatIsNotObservedIsNeitherFreeNorOccupied)
 {
     SemanticVoxelMap map = levelHall();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TinyMap.h"
+#include "voxeland/errors.h"
 #include "voxeland/io/AnswersAsText.h"
+#include "voxeland/io/CategorySearch.h"
 #include "voxeland/io/MapAnswers.h"
 
 #include <gtest/gtest.h>
@@ -72,6 +74,62 @@ TEST(MapAnswers, partOfANameWillDoWhereNoNameIsTheSame)
     EXPECT_EQ(ids(findInstances(map, "table", {})), std::vector<instance_id_t>{table});
     EXPECT_TRUE(findInstances(map, "", {}).empty());
     EXPECT_TRUE(findInstances(map, "sofa", {}).empty());
+}
+
+TEST(MapAnswers, namesAreUnderstoodAsPeopleWriteThem)
+{
+    for (const auto& [wanted, category] :
+         std::vector<std::pair<std::string, std::string>>{{"chairs", "chair"},
+                                                          {"Shelves", "shelf"},
+                                                          {"shelf", "shelves"},
+                                                          {"people", "person"},
+                                                          {"mice", "mouse"},
+                                                          {"knives", "knife"},
+                                                          {"boxes", "box"},
+                                                          {"potted plants", "potted plant"},
+                                                          {"wine glasses", "wine glass"},
+                                                          {"batteries", "battery"}})
+        EXPECT_EQ(nameFit(wanted, category), NameFit::plural) << wanted;
+    EXPECT_EQ(nameFit("Potted_Plant", "potted plant"), NameFit::same);
+    EXPECT_EQ(nameFit(" cell  phone ", "cell-phone"), NameFit::same);
+    EXPECT_EQ(nameFit("tables", "dining table"), NameFit::part);
+    EXPECT_EQ(nameFit("dining tables", "old dining table set"), NameFit::part);
+    EXPECT_EQ(nameFit("chairs", "char"), NameFit::none);
+    EXPECT_EQ(nameFit("mouses", "moose"), NameFit::none);
+    EXPECT_EQ(nameFit("_", "chair"), NameFit::none);
+    SemanticVoxelMap map = tinyMap();
+    const auto boxes = addObject(map, "boxes", {50, 0, 0}), box = addObject(map, "box", {60, 0, 0});
+    EXPECT_EQ(ids(findInstances(map, "box", {})), std::vector<instance_id_t>{box});
+    EXPECT_EQ(ids(findInstances(map, "boxes", {})), std::vector<instance_id_t>{boxes});
+}
+
+TEST(MapAnswers, whyThereIsNone)
+{
+    SemanticVoxelMap map = tinyMap();
+    EXPECT_EQ(whyNoneIsFound(map, "chiars"), "no 'chiars' in this map (did you mean 'chair'?)");
+    EXPECT_EQ(whyNoneIsFound(map, "elephant"), "no 'elephant' in this map");
+    map.categories().add("mouse");
+    EXPECT_EQ(whyNoneIsFound(map, "mice"),
+              "no object of this map is most probably 'mouse', though it knows that category");
+}
+
+/** 2^20 - 1 voxels on each side; blocks alone would be told apart up to 2^23, and a place 2^24 away
+ *  would then be taken for one near the origin. */
+TEST(MapAnswers, placesOutOfRangeAreAnError)
+{
+    const SemanticVoxelMap map = tinyMap();
+    const double edge = test::TINY_RESOLUTION, end = (1 << 20) * edge;
+    EXPECT_FALSE(askPlace(map, {end - edge / 2, 0, 0}).observed);
+    EXPECT_FALSE(askPlace(map, {0, 0, 1.5 * edge - end}).observed);
+    for (const double far : {end + edge / 2, -end - edge / 2, (1 << 24) * edge + 0.05, 1e300,
+                             std::numeric_limits<double>::quiet_NaN()})
+        for (const mrpt::math::TPoint3D& p :
+             {mrpt::math::TPoint3D(far, 0, 0), {0, far, 0}, {0, 0, far}}) {
+            EXPECT_THROW(askPlace(map, p), ConfigurationError) << far;
+            EXPECT_THROW(findInstances(map, "cup", p), ConfigurationError) << far;
+            EXPECT_EQ(map.occupancyAt(p), UNOBSERVED) << far;
+        }
+    EXPECT_EQ(map.occupancyAt({0.05, 0.05, 0.05}), map.occupancy({0, 0, 0}));
 }
 
 TEST(MapAnswers, aPlaceOnAnObject)

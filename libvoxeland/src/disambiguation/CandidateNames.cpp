@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CandidateNames.h"
 
+#include "voxeland/plural.h"
+
 #include <algorithm>
 
 namespace voxeland
 {
-namespace
-{
-bool isPluralOf(const std::string& many, const std::string& one)
-{
-    const auto isOneWith = [&](size_t dropped, const char* ending) {
-        return one.size() > dropped && many == one.substr(0, one.size() - dropped) + ending;
-    };
-    const auto endsWith = [&](const std::string& end) {
-        return one.size() > end.size() &&
-               one.compare(one.size() - end.size(), end.size(), end) == 0;
-    };
-    return isOneWith(0, "s") || isOneWith(0, "es") || (endsWith("y") && isOneWith(1, "ies")) ||
-           (endsWith("f") && isOneWith(1, "ves")) || (endsWith("fe") && isOneWith(2, "ves")) ||
-           (one == "person" && many == "people") || (one == "mouse" && many == "mice");
-}
-}  // namespace
-
 CandidateNames::CandidateNames(const std::vector<RankedCategory>& candidates)
 {
     for (const RankedCategory& c : candidates) add(c.name, c.category);

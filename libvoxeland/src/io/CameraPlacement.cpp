@@ -21,11 +21,6 @@ constexpr double MARGIN = 1.2;     //!< how much farther away than where it just
 constexpr double APART = 45 * DEGREE;
 constexpr double LEAST_VISIBLE = 0.2;
 
-bool isFree(const SemanticVoxelMap& map, const VoxelCoord& v)
-{
-    return OccupancyFilter::isFree(map.occupancy(v));
-}
-
 /** What is looked at. */
 class Target
 {
@@ -74,7 +69,8 @@ class Target
         traverseRay(eye, voxelCenter<TPoint3D>(voxel, m_map.resolution()), 1 / m_map.resolution(),
                     [&](const VoxelCoord& v) {
                         reached = reached || m_voxels.count(packed(v)) > 0;
-                        hidden = hidden || (!reached && !isFree(m_map, v));
+                        hidden =
+                            hidden || (!reached && !OccupancyFilter::isFree(m_map.occupancy(v)));
                     });
         return !hidden;
     }
@@ -92,13 +88,13 @@ bool canStand(const SemanticVoxelMap& map, const LevelFrame& frame, const Carrie
 {
     constexpr double ABOVE_FLOOR = 0.15;
     const double edge = map.resolution();
-    if (!isFree(map, map.voxelOf(frame.toMap(eye)))) return false;
+    if (!OccupancyFilter::isFree(map.occupancyAt(frame.toMap(eye)))) return false;
     for (double z = floor + ABOVE_FLOOR; z <= eye.z; z += edge)
         for (double y = -camera.bodyRadius; y <= camera.bodyRadius; y += edge)
             for (double x = -camera.bodyRadius; x <= camera.bodyRadius; x += edge) {
                 if (std::hypot(x, y) > camera.bodyRadius) continue;
                 const TPoint3D p = frame.toMap({eye.x + x, eye.y + y, z});
-                if (OccupancyFilter::isOccupied(map.occupancy(map.voxelOf(p)))) return false;
+                if (OccupancyFilter::isOccupied(map.occupancyAt(p))) return false;
             }
     return true;
 }

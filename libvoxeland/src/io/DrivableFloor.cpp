@@ -53,6 +53,9 @@ bool DrivableFloor::fits(const TPoint2D& at) const
     const double edge = m_grid->getResolution();
     const double x = (at.x - m_grid->getXMin()) / edge, y = (at.y - m_grid->getYMin()) / edge;
     const double radius = m_robot.radius / edge;
+    const auto columns = static_cast<double>(m_grid->getSizeX());
+    const auto rows = static_cast<double>(m_grid->getSizeY());
+    if (!(x >= 0 && x < columns && y >= 0 && y < rows)) return false;
     for (double row = std::floor(y - radius); row <= y + radius; ++row)
         for (double column = std::floor(x - radius); column <= x + radius; ++column) {
             // The cell is covered if that point of it is which is nearest to the robot's middle.

@@ -18,20 +18,31 @@ namespace voxeland
 {
 namespace
 {
-/** Calls f(centre in the level frame) for every observed voxel at those heights. */
+/** Calls f(centre in the level frame) for every observed voxel. */
 template <typename F>
-void forEachObserved(const SemanticVoxelMap& map, const LevelFrame& frame,
-                     const HeightRange& heights, F&& f)
+void forEachObserved(const SemanticVoxelMap& map, const LevelFrame& frame, F&& f)
 {
     for (const uint32_t b : map.blocks().sorted()) {
         const MapBlock& block = map.blocks()[b];
         for (int cell = 0; cell < BLOCK_CELLS; ++cell) {
             if (block.occupancy(cell) == UNOBSERVED) continue;
             const VoxelCoord v = voxelAt(map.blocks().coordOf(b), cell);
-            const TPoint3D p = frame.toLevel(voxelCenter<TPoint3D>(v, map.resolution()));
-            if (heights.contains(p.z)) f(p);
+            f(frame.toLevel(voxelCenter<TPoint3D>(v, map.resolution())));
         }
     }
+}
+
+/** The part of some heights at which anything was observed. */
+HeightRange observedPart(const SemanticVoxelMap& map, const LevelFrame& frame,
+                         const HeightRange& heights)
+{
+    constexpr double INF = std::numeric_limits<double>::infinity();
+    HeightRange observed{INF, -INF};
+    forEachObserved(map, frame, [&](const TPoint3D& p) {
+        observed.low = std::min(observed.low, p.z - map.resolution());
+        observed.high = std::max(observed.high, p.z + map.resolution());
+    });
+    return {std::max(heights.low, observed.low), std::min(heights.high, observed.high)};
 }
 
 /** An empty grid around everything observed at those heights, on the raster of the voxels. */
@@ -41,7 +52,8 @@ HeightSlice frameOf(const SemanticVoxelMap& map, const LevelFrame& frame,
     constexpr int NONE = std::numeric_limits<int>::max();
     const double edge = map.resolution();
     int left = NONE, right = -NONE, bottom = NONE, top = -NONE;
-    forEachObserved(map, frame, heights, [&](const TPoint3D& p) {
+    forEachObserved(map, frame, [&](const TPoint3D& p) {
+        if (!heights.contains(p.z)) return;
         const int x = voxelIndex(p.x, 1 / edge), y = voxelIndex(p.y, 1 / edge);
         left = std::min(left, x);
         right = std::max(right, x);
@@ -68,7 +80,7 @@ float columnOccupancy(const SemanticVoxelMap& map, const LevelFrame& frame,
     // Between the voxels' borders, where the frame is not tilted.
     for (double z = (std::ceil(heights.low / step - 0.5) + 0.5) * step; z <= heights.high;
          z += step)
-        most = std::max(most, map.occupancy(map.voxelOf(frame.toMap({x, y, z}))));
+        most = std::max(most, map.occupancyAt(frame.toMap({x, y, z})));
     return static_cast<float>(OccupancyFilter::probability(most));
 }
 }  // namespace
@@ -77,11 +89,12 @@ HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
                     const HeightRange& heights)
 {
     HeightSlice slice = frameOf(map, frame, heights);
+    const HeightRange searched = observedPart(map, frame, heights);
     slice.occupancy.reserve(slice.columns * slice.rows);
     for (size_t row = 0; row < slice.rows; ++row)
         for (size_t column = 0; column < slice.columns; ++column)
             slice.occupancy.push_back(
-                columnOccupancy(map, frame, heights,
+                columnOccupancy(map, frame, searched,
                                 slice.minX + (static_cast<double>(column) + 0.5) * slice.resolution,
                                 slice.minY + (static_cast<double>(row) + 0.5) * slice.resolution));
     return slice;

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/MapAnswers.h"
 
+#include "voxeland/io/CategorySearch.h"
 #include "voxeland/io/UpDirection.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 
 namespace voxeland
 {
 namespace
 {
-std::string lowerCase(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 std::vector<FoundInstance> allInstances(const SemanticVoxelMap& map, const LevelFrame& frame)
 {
     const auto boxes = orientedBoxes(map, frame);
@@ -109,17 +102,17 @@ std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map, const Leve
 std::vector<FoundInstance> findInstances(const SemanticVoxelMap& map, const std::string& category,
                                          const mrpt::math::TPoint3D& from)
 {
-    const std::string wanted = lowerCase(category);
-    std::vector<FoundInstance> exact, similar;
+    static_cast<void>(map.voxelOf(from));  // in range
+    std::vector<FoundInstance> found;
+    NameFit best = NameFit::part;
     for (FoundInstance& f : allInstances(map, LevelFrame(estimateUp(map)))) {
+        const NameFit fit = nameFit(category, f.summary.category());
+        if (fit < best) continue;
+        if (fit > best) found.clear();
+        best = fit;
         f.distance = (f.summary.centroid - from).norm();
-        const std::string name = lowerCase(f.summary.category());
-        if (name == wanted)
-            exact.push_back(std::move(f));
-        else if (!wanted.empty() && name.find(wanted) != std::string::npos)
-            similar.push_back(std::move(f));
+        found.push_back(std::move(f));
     }
-    auto& found = exact.empty() ? similar : exact;
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.distance < b.distance; });
     return found;

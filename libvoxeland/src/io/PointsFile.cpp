@@ -3,39 +3,37 @@
 
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
+#include "voxeland/io/CategorySearch.h"
 #include "voxeland/io/GzOutputFile.h"
 #include "voxeland/map/MapQueries.h"
 
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/system/string_utils.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 
 using mrpt::maps::CSimplePointsMap;
-using mrpt::system::lowerCase;
 
 namespace voxeland
 {
 namespace
 {
-std::set<std::string> inLowerCase(const std::set<std::string>& names)
+bool anyNames(const std::set<std::string>& names, const std::string& category)
 {
-    std::set<std::string> result;
-    for (const std::string& name : names) result.insert(lowerCase(name));
-    return result;
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return nameFit(name, category) >= NameFit::plural;
+    });
 }
 
 /** Instances whose category is wanted, UNKNOWN_INSTANCE possibly among them. */
 std::set<instance_id_t> wantedInstances(const SemanticVoxelMap& map, const PointsFilter& filter)
 {
-    const std::set<std::string> only = inLowerCase(filter.categories);
-    const std::set<std::string> except = inLowerCase(filter.except);
     std::set<instance_id_t> wanted;
     const auto consider = [&](instance_id_t id, const std::string& category) {
-        const std::string name = lowerCase(category);
-        if ((only.empty() || only.count(name) > 0) && except.count(name) == 0) wanted.insert(id);
+        const bool isAsked = filter.categories.empty() || anyNames(filter.categories, category);
+        if (isAsked && !anyNames(filter.except, category)) wanted.insert(id);
     };
     consider(UNKNOWN_INSTANCE, UNKNOWN_CATEGORY);
     for (const InstanceSummary& s : summarizeInstances(map)) consider(s.id, s.category());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/map/SemanticVoxelMap.h"
 
+#include "voxeland/errors.h"
+#include "voxeland/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -72,6 +75,21 @@ void SemanticVoxelMap::setOptions(const MapOptions& options)
 void SemanticVoxelMap::clear()
 {
     *this = SemanticVoxelMap(m_options);
+}
+
+VoxelCoord SemanticVoxelMap::voxelOf(const mrpt::math::TPoint3D& p) const
+{
+    if (const auto v = storableVoxelOf(p, 1 / resolution())) return *v;
+    throw ConfigurationError("the place (" + numberText(p.x) + ", " + numberText(p.y) + ", " +
+                             numberText(p.z) + ") is out of the map's range: with voxels of " +
+                             numberText(resolution()) + " m, coordinates are within +-" +
+                             fixedText(MAX_VOXEL_COORD * resolution(), 0) + " m");
+}
+
+log_odds_t SemanticVoxelMap::occupancyAt(const mrpt::math::TPoint3D& p) const
+{
+    const auto v = storableVoxelOf(p, 1 / resolution());
+    return v ? occupancy(*v) : UNOBSERVED;
 }
 
 log_odds_t SemanticVoxelMap::occupancy(const VoxelCoord& v) const

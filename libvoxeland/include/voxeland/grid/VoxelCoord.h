@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <tuple>
 
 namespace voxeland
@@ -106,6 +107,18 @@ VoxelCoord voxelOf(const Point& p, double inverseResolution)
 {
     return {voxelIndex(p.x, inverseResolution), voxelIndex(p.y, inverseResolution),
             voxelIndex(p.z, inverseResolution)};
+}
+
+/** The voxel that holds a metric point, whatever its numbers: none if it cannot be stored, or if
+ *  they are no numbers. For points that do not come from a frame. */
+template <typename Point>
+std::optional<VoxelCoord> storableVoxelOf(const Point& p, double inverseResolution)
+{
+    const auto fits = [&](double metres) {
+        return std::abs(std::floor(metres * inverseResolution)) <= MAX_VOXEL_COORD;
+    };
+    if (!fits(p.x) || !fits(p.y) || !fits(p.z)) return std::nullopt;
+    return voxelOf(p, inverseResolution);
 }
 
 /** Metric centre of a voxel. \param resolution edge [m] */

@@ -24,7 +24,8 @@ struct HeightSlice
 
 /** Looks through the heights: of the voxels above one another in a cell, the one most likely
  *  occupied decides. The grid covers everything observed at those heights.
- *  \param heights finite, in the level frame [m]
+ *  \param heights in the level frame [m]; only those are looked through at which
+ *  anything was observed
  *  \throws ConfigurationError if nothing was observed there */
 HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
                     const HeightRange& heights);
@@ -32,7 +33,8 @@ HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
 /** A slice for MRPT's planners, in the level frame. */
 mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice);
 
-/** Writes gridOf() serialized and compressed (.gridmap, as MRPT's programs read it). \throws OutputError if that fails */
+/** Writes gridOf() serialized and compressed (.gridmap, as MRPT's programs read it). \throws
+ * OutputError if that fails */
 void exportGridmap(const HeightSlice& slice, const std::string& file);
 
 /** The image beside a YAML file of ROS's map_server: the same name, ending in .pgm.

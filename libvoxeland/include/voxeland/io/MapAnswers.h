@@ -39,9 +39,10 @@ std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map);
 /** The same. \param frame tells where up is; estimateUp() otherwise */
 std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map, const LevelFrame& frame);
 
-/** Instances whose most probable category has this name, ignoring case; if there is none, those
- *  whose category contains the text ("table" finds "dining table"). The nearest first.
- *  \param from where to measure distances from [m] */
+/** Instances whose most probable category fits a name best (see NameFit): those called the same; if
+ *  there is none, those of which it is the plural or singular; if there is none, those whose
+ * category contains it ("table" finds "dining table"). The nearest first. \param from where to
+ * measure distances from [m] \throws ConfigurationError if that is out of the map's range */
 std::vector<FoundInstance> findInstances(const SemanticVoxelMap& map, const std::string& category,
                                          const mrpt::math::TPoint3D& from);
 
@@ -71,6 +72,7 @@ struct PlaceAnswer
     std::vector<RankedCategory> categories;  //!< by total probability, the most probable first
     double instanceEntropy = 0, winnerCategoryEntropy = 0, categoryEntropy = 0;  //!< [nat]
 };
-/** One look-up, and a pass over the map where no object has evidence at the place. */
+/** One look-up, and a pass over the map where no object has evidence at the place.
+ *  \throws ConfigurationError if the place is out of the map's range */
 PlaceAnswer askPlace(const SemanticVoxelMap& map, const mrpt::math::TPoint3D& place);
 }  // namespace voxeland

@@ -16,7 +16,7 @@ namespace voxeland
  *  wins it, or UNKNOWN_CATEGORY. */
 struct PointsFilter
 {
-    std::set<std::string> categories;  //!< only these; case is ignored; empty: all
+    std::set<std::string> categories;  //!< only these or their plurals, see NameFit; empty: all
     std::set<std::string> except;      //!< not these, such as people: they will have moved on
     LevelFrame frame;                  //!< where heights are measured
     HeightRange heights;               //!< [m]

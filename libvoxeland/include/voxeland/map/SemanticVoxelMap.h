@@ -55,12 +55,14 @@ class SemanticVoxelMap
     [[nodiscard]] const BlockMap<MapBlock>& blocks() const { return m_blocks; }
     [[nodiscard]] BlockMap<MapBlock>& blocks() { return m_blocks; }
 
-    /** The voxel that holds a metric point. */
-    template <typename Point>
-    [[nodiscard]] VoxelCoord voxelOf(const Point& p) const
-    {
-        return voxeland::voxelOf(p, 1 / m_options.resolution);
-    }
+    /** The voxel that holds a metric point.
+     *  \throws ConfigurationError if the point is farther off than a map of this resolution can
+     *  hold, or no numbers */
+    [[nodiscard]] VoxelCoord voxelOf(const mrpt::math::TPoint3D& p) const;
+    /** Occupancy at a metric point; UNOBSERVED where nothing is known, and wherever voxelOf()
+     * throws.
+     */
+    [[nodiscard]] log_odds_t occupancyAt(const mrpt::math::TPoint3D& p) const;
     /** Occupancy of a voxel; UNOBSERVED where nothing is known. */
     [[nodiscard]] log_odds_t occupancy(const VoxelCoord& v) const;
     /** Evidence of a voxel, or null where no point was ever measured. */
