@@ -28,6 +28,7 @@ const char* const DESCRIPTION =
 
   rawlog2voxeland -i kitchen.rawlog -o kitchen.voxeland --export-dir kitchen
   rawlog2voxeland -i robot.rawlog -o map.voxeland --poses robot.tum --set map.resolution=0.03
+  rawlog2voxeland -i desk.rawlog -o desk.voxeland --poses orbslam.txt --pose-axes optical
   rawlog2voxeland -i part2.rawlog -o whole.voxeland --resume part1.voxeland
   rawlog2voxeland -i kitchen.rawlog -o kitchen.voxeland --trace kitchen.jsonl
   rawlog2voxeland --dump-config > my.ini
@@ -79,9 +80,24 @@ struct Arguments : apps::CommandLine
         "",      "export-dir", "Also write PLY, JSON, CSV and pictures of the map into this folder",
         false,   "",           "DIR",
         parser()};
+    TCLAP::SwitchArg strict{"", "strict", "Odd poses, left out and told otherwise, are errors",
+                            parser()};
+    TCLAP::ValueArg<std::string> poseAxes{
+        "",
+        "pose-axes",
+        "What the poses are of: body, the robot (default); optical, the depth camera (x right, y "
+        "down, z forward: TUM, ORB-SLAM); opengl, it too (x right, y up, z backward)",
+        false,
+        "",
+        "AXES",
+        parser()};
     TCLAP::ValueArg<std::string> poses{
-        "",      "poses", "Trajectory of the robot in TUM format, instead of the rawlog's poses",
-        false,   "",      "FILE.tum",
+        "",
+        "poses",
+        "Trajectory in TUM format, instead of the rawlog's poses; of the robot, or see --pose-axes",
+        false,
+        "",
+        "FILE.tum",
         parser()};
     TCLAP::ValueArg<std::string> output{"o", "output",       "Map to write", false,
                                         "",  "MAP.voxeland", parser()};
@@ -100,6 +116,7 @@ Ini configuration(Arguments& arguments, const CVoxelandMap* resumed)
     else if (resumed != nullptr)
         ini = Ini::fromText(resumed->configText(), arguments.resume.getValue());
     if (arguments.poses.isSet()) ini.set("voxeland.pose_source=tum:" + arguments.poses.getValue());
+    if (arguments.poseAxes.isSet()) ini.set("voxeland.pose_axes=" + arguments.poseAxes.getValue());
     arguments.set.applyTo(ini);
     return ini;
 }
@@ -150,7 +167,8 @@ TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
     auto timesBefore = timesOfViews(map.map());
     RawlogFrameSource source(
         arguments.input.getValue(), map.withCamera(map.mapper().config().input),
-        {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()});
+        {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()},
+        arguments.strict.isSet());
     apps::Progress progress("frames", 0, !arguments.quiet());
     TimingLog timing;
     size_t done = 0;
@@ -163,6 +181,7 @@ TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
         progress.update(++done, source.progress());
     };
     warnOf(arguments, mapRawlog(source, map, onFrame, arguments.strict.isSet()));
+    for (const std::string& note : source.notes()) arguments.warn(note);
     return timing;
 }
 

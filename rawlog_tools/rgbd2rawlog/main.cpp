@@ -63,7 +63,16 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<size_t> every{
         "", "every", "Take every so-manieth frame only (default: 1)", false, 1, "N", parser()};
     TCLAP::SwitchArg strict{
-        "", "strict", "A frame that cannot be used and an odd prediction are errors", parser()};
+        "", "strict", "Frames that cannot be used, odd predictions and odd lines of lists are errors", parser()};
+    TCLAP::ValueArg<std::string> poseAxes{
+        "",
+        "pose-axes",
+        "Axes of the camera that the dataset's poses are of: optical (x right, y down, z forward; "
+        "default), opengl (x right, y up, z backward), body (x forward, y left, z up)",
+        false,
+        "optical",
+        "AXES",
+        parser()};
     TCLAP::SwitchArg invertPoses{"", "invert-poses",
                                  "The dataset's poses are world-to-camera transforms", parser()};
     TCLAP::ValueArg<double> depthScale{
@@ -146,6 +155,16 @@ void checkArguments(Arguments& arguments)
         throw ConfigurationError("--depth-scale must be positive");
 }
 
+PoseAxes parsePoseAxes(const std::string& name)
+{
+    const std::map<std::string, PoseAxes> known = {
+        {"optical", PoseAxes::optical}, {"opengl", PoseAxes::opengl}, {"body", PoseAxes::body}};
+    const auto found = known.find(name);
+    if (found == known.end())
+        throw ConfigurationError("--pose-axes must be optical, opengl or body, not '" + name + "'");
+    return found->second;
+}
+
 /** The camera that an option gives, if it is set. */
 std::optional<PinholeCamera> intrinsicsOf(TCLAP::ValueArg<std::string>& option)
 {
@@ -167,6 +186,7 @@ std::unique_ptr<RgbdDatasetReader> open(Arguments& arguments)
     DatasetOptions options;
     options.annotation = arguments.wantsAnnotation() && !arguments.check.isSet();
     options.invertPoses = arguments.invertPoses.isSet();
+    options.poseAxes = parsePoseAxes(arguments.poseAxes.getValue());
     if (arguments.depthScale.isSet()) options.depthScale = arguments.depthScale.getValue();
     options.camera = intrinsicsOf(arguments.intrinsics);
     options.colourCamera = intrinsicsOf(arguments.colourIntrinsics);

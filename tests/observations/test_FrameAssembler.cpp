@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Frames.h"
+#include "voxeland/errors.h"
 #include "voxeland/observations/FrameAssembler.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CArchive.h>
+#include <mrpt/system/datetime.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,7 @@ mrpt::Clock::time_point at(double seconds)
 
 FrameAssembler assembler(uint32_t patience)
 {
-    return {patience, PoseTrack(MAX_GAP)};
+    return {patience, MAX_GAP};
 }
 
 void addScan(FrameAssembler& a, int second)
@@ -143,6 +145,162 @@ TEST(FrameAssembler, FramesWithoutAPoseAreSkippedAndCounted)
     EXPECT_EQ(seconds, (std::vector<int>{1, 3, 4}));
     EXPECT_EQ(a.counts().framesWithoutPose, 2u);
     EXPECT_EQ(a.counts().predictionsWithoutFrame, 0u);
+    EXPECT_EQ(a.oddPoses().count(), 1u);
+}
+
+TEST(FrameAssembler, OddPosesAreErrorsIfStrict)
+{
+    FrameAssembler a(1, MAX_GAP, true);
+    EXPECT_THROW(a.addPose(at(5), TPose3D(0, 0, 0, 0, INFINITY, 0)), InputError);
+    EXPECT_THROW(a.addPose(INVALID_TIMESTAMP, TPose3D()), InputError);
+    auto covariance = std::make_shared<mrpt::math::CMatrixDouble66>();
+    covariance->setZero();
+    (*covariance)(2, 3) = NAN;
+    EXPECT_THROW(a.addPose(at(5), TPose3D(), covariance), InputError);
+}
+
+namespace
+{
+/** The x of each frame's pose, and the number of instances it has; -1: no predictions. */
+std::vector<std::pair<double, int>> summaryOf(FrameAssembler& a)
+{
+    a.finish();
+    std::vector<std::pair<double, int>> summary;
+    for (const auto& f : allOf(a))
+        summary.emplace_back(f.robotPose.x(),
+                             f.instances ? static_cast<int>(f.instances->instances.size()) : -1);
+    return summary;
+}
+
+/** Predictions that can be told from others by their number. */
+std::shared_ptr<CObservationInstances> instances(double second, size_t count)
+{
+    return test::makePredictions(
+        std::vector<InstancePrediction>(count,
+                                        test::prediction(test::rectangleMask(0, 0, 2, 2), "box")),
+        second);
+}
+
+std::shared_ptr<mrpt::obs::CObservation3DRangeScan> scanOf(double second)
+{
+    return test::makeScan([](int, int) { return 1.0; }, second);
+}
+}  // namespace
+
+TEST(FrameAssembler, FramesOfTheSameTimeHaveTheirOwnPosesAndPredictions)
+{
+    for (const bool scanFirst : {false, true}) {
+        auto a = assembler(5);
+        for (size_t i = 0; i < 3; ++i) {
+            if (scanFirst) a.addScan(scanOf(7));
+            a.addPose(at(7), {static_cast<double>(i), 0, 0, 0, 0, 0});
+            a.addInstances(instances(7, i));
+            if (!scanFirst) a.addScan(scanOf(7));
+        }
+        EXPECT_EQ(summaryOf(a), (std::vector<std::pair<double, int>>{{0, 0}, {1, 1}, {2, 2}}));
+    }
+}
+
+TEST(FrameAssembler, TwoScansOfOneTimeShareThePoseIfThereIsOne)
+{
+    auto a = assembler(5);
+    a.addPose(at(7), {3, 0, 0, 0, 0, 0});
+    a.addScan(scanOf(7));
+    a.addScan(scanOf(7));
+    EXPECT_EQ(summaryOf(a), (std::vector<std::pair<double, int>>{{3, -1}, {3, -1}}));
+}
+
+/** Two recordings of the same times, the second with poses 100 m away: however the parts of a frame
+ *  are ordered, it gets its own; without any in the second one, its frames are left out. */
+TEST(FrameAssembler, RecordingsOfTheSameTimesAreNotMixed)
+{
+    for (const double phase : {0.0, 0.03})  // of poses; interpolated unless 0
+        for (const bool secondHasPoses : {true, false}) {
+            auto a = assembler(5);
+            std::vector<RgbdFrame> frames;
+            for (const int recording : {0, 1})
+                for (int i = 0; i < 8; ++i) {
+                    const double x = 100 * recording;
+                    a.addScan(scanOf(50 + 0.1 * i));
+                    for (auto& f : allOf(a)) frames.push_back(std::move(f));
+                    if (recording == 0 || secondHasPoses)
+                        a.addPose(at(50 - phase + 0.1 * i), {x, 0, 0, 0, 0, 0});
+                    if (i != 6) a.addInstances(instances(50 + 0.1 * i, recording));
+                    for (auto& f : allOf(a)) frames.push_back(std::move(f));
+                }
+            a.finish();
+            for (auto& f : allOf(a)) frames.push_back(std::move(f));
+            // With poses between frames the last frame of a recording has none after it.
+            const size_t ofOne = phase == 0 ? 8 : 7;
+            ASSERT_EQ(frames.size(), secondHasPoses ? 2 * ofOne : ofOne);
+            for (size_t i = 0; i < frames.size(); ++i) {
+                const size_t recording = i / ofOne, number = i % ofOne;
+                EXPECT_NEAR(frames[i].robotPose.x(), 100.0 * static_cast<double>(recording), 1e-6)
+                    << i;
+                ASSERT_EQ(frames[i].instances != nullptr, number != 6) << i;
+                if (number != 6) {
+                    EXPECT_EQ(frames[i].instances->instances.size(), recording) << i;
+                }
+            }
+        }
+}
+
+TEST(FrameAssembler, PosesThatAllComeBeforeServeScansWhoseTimeGoesBack)
+{
+    auto a = assembler(3);
+    for (int i = 0; i < 40; ++i) a.addPose(at(0.1 * i), {0.1 * i, 0, 0, 0, 0, 0});
+    for (const double second : {2.0, 2.1, 2.2, 2.3, 2.4, 1.0, 1.1, 1.2}) a.addScan(scanOf(second));
+    a.finish();
+    const auto frames = allOf(a);
+    ASSERT_EQ(frames.size(), 8u);
+    for (const auto& f : frames)
+        EXPECT_NEAR(f.robotPose.x(), mrpt::Clock::toDouble(f.scan->timestamp), 1e-6);
+}
+
+TEST(FrameAssembler, ATrajectorySurvivesTimesThatGoBack)
+{
+    auto a = assembler(0);
+    PoseTrack trajectory(MAX_GAP);
+    for (int s = 0; s < 100; ++s) trajectory.add(at(s), {static_cast<double>(s), 0, 0, 0, 0, 0});
+    a.setTrajectory(trajectory);
+    for (const int s : {60, 70, 80, 90, 5, 6}) a.addScan(scanOf(s));
+    a.finish();
+    std::vector<double> x;
+    for (const auto& f : allOf(a)) x.push_back(f.robotPose.x());
+    EXPECT_EQ(x, (std::vector<double>{60, 70, 80, 90, 5, 6}));
+}
+
+/** A camera 1 m ahead of a robot, looking to its left: where its optical axes are at (5, 6, 7), and
+ *  z points along the world's y axis, x along the world's x axis, the robot is at (5 - 1, 6, 7). */
+TEST(FrameAssembler, PosesMayBeOfTheCamerasAxes)
+{
+    using namespace mrpt::literals;
+    const mrpt::poses::CPose3D ahead(1, 0, 0, 90.0_deg, 0.0_deg, 0.0_deg);
+    // roll -90 degrees: x stays, y points down, z to the world's y; 90 degrees: y up, z to -y.
+    for (const auto& [axes, roll] :
+         {std::pair(PoseAxes::optical, -M_PI / 2), std::pair(PoseAxes::opengl, M_PI / 2)})
+    {
+        auto a = assembler(0);
+        a.setPoseAxes(axes);
+        auto covariance = std::make_shared<mrpt::math::CMatrixDouble66>();
+        covariance->setZero();
+        for (int i = 0; i < 3; ++i) (*covariance)(i, i) = 0.01 * (1 + i);
+        a.addPose(at(1), {5, 6, 7, 0, 0, roll}, covariance);
+        auto scan = scanOf(1);
+        scan->sensorPose = ahead;
+        a.addScan(scan);
+        a.finish();
+        const auto frame = a.next();
+        ASSERT_TRUE(frame);
+        EXPECT_NEAR(frame->robotPose.x(), 4, 1e-9);
+        EXPECT_NEAR(frame->robotPose.y(), 6, 1e-9);
+        EXPECT_NEAR(frame->robotPose.z(), 7, 1e-9);
+        EXPECT_NEAR(frame->robotPose.yaw(), 0, 1e-9);
+        EXPECT_NEAR(frame->robotPose.pitch(), 0, 1e-9);
+        EXPECT_NEAR(frame->robotPose.roll(), 0, 1e-9);
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR((*frame->poseCovariance)(i, i), 0.01 * (1 + i), 1e-9) << i;
+    }
 }
 
 TEST(FrameAssembler, FinishGivesWhatIsLeftAndCountsPredictionsWithoutFrame)
@@ -180,9 +338,7 @@ TEST(FrameAssembler, PredictionsThatNoScanFollowsDoNotPileUp)
 TEST(FrameAssembler, WhatWaitsIsSerializableWithLimitsAndCounts)
 {
     auto a = assembler(5);
-    a.addPose(at(0), TPose3D(NAN, 0, 0, 0, 0, 0));
-    addScan(a, 0);
-    addInstances(a, 0);
+    a.addScan(scanOf(0), instances(0, 1), RobotPose{{NAN, 0, 0, 0, 0, 0}, nullptr});
     EXPECT_FALSE(a.next()) << "counted as being without a pose";
     addPose(a, 1);
     addScan(a, 1);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/TestFiles.h"
-#include "voxeland/errors.h"
 #include "voxeland/observations/PoseTrack.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/system/datetime.h>
 
 #include <cmath>
 
 using namespace voxeland;
 using mrpt::math::TPose3D;
-using voxeland::test::TemporaryFolder;
 
 namespace
 {
@@ -17,44 +15,7 @@ mrpt::Clock::time_point at(double seconds)
 {
     return mrpt::Clock::fromDouble(seconds);
 }
-
-PoseTrack trackOf(const std::string& text, double maxGap = 1)
-{
-    const TemporaryFolder folder;
-    test::writeFile(folder.file("track.tum"), text);
-    return PoseTrack::fromTumFile(folder.file("track.tum"), maxGap);
-}
-
-/** The message with which a trajectory is refused. */
-std::string refusal(const std::string& text)
-{
-    try {
-        trackOf(text);
-    } catch (const InputError& e) {
-        return e.what();
-    }
-    return "accepted";
-}
 }  // namespace
-
-TEST(PoseTrack, ReadsTumFiles)
-{
-    // A quarter turn to the left about z: (0, 0, sin 45, cos 45).
-    const auto track = trackOf(
-        "# timestamp tx ty tz qx qy qz qw\n"
-        "\n"
-        "1311868164.25 1 -2 0.5 0 0 0.70710678 0.70710678\r\n"
-        "1311868164.50 1 -2 0.5 0 0 0 -1\n");
-    const auto pose = track.at(at(1311868164.25));
-    ASSERT_TRUE(pose);
-    EXPECT_NEAR(pose->x, 1, 1e-12);
-    EXPECT_NEAR(pose->y, -2, 1e-12);
-    EXPECT_NEAR(pose->z, 0.5, 1e-12);
-    EXPECT_NEAR(pose->yaw, M_PI / 2, 1e-7);
-    EXPECT_NEAR(pose->pitch, 0, 1e-7);
-    EXPECT_NEAR(pose->roll, 0, 1e-7);
-    EXPECT_NEAR(track.at(at(1311868164.50))->yaw, 0, 1e-9);
-}
 
 TEST(PoseTrack, InterpolatesAlongTheShortestArc)
 {
@@ -130,18 +91,18 @@ TEST(PoseTrack, ForgettingKeepsWhatLaterTimesNeed)
     EXPECT_EQ(track.at(at(9))->x, 9);
 }
 
-TEST(PoseTrack, MalformedFilesAreRefusedWithFileAndLine)
+TEST(PoseTrack, SeveralPosesOfOneTimeAreToldApartByTheirOrder)
 {
-    const std::string good = "1 0 0 0 0 0 0 1\n";
-    EXPECT_EQ(refusal(good), "accepted");
-    for (const char* line :
-         {"2 0 0 0 0 0 0\n", "2 0 zero 0 0 0 0 1\n", "2 0 0 0 0 0 0 0\n", "2 0 0 0 1 1 1 1\n",
-          "2 nan 0 0 0 0 0 1\n", "2 0 0 0 0 0 0 nan\n", "2,0,0,0,0,0,0,1\n"})
-    {
-        const std::string message = refusal(good + line);
-        EXPECT_NE(message.find("line 2"), std::string::npos) << line << message;
-        EXPECT_NE(message.find("track.tum"), std::string::npos) << line << message;
-    }
-    EXPECT_NE(refusal("# nothing\n").find("no pose"), std::string::npos);
-    EXPECT_THROW(PoseTrack::fromTumFile("/no/such/file.tum", 1), InputError);
+    PoseTrack track(0.25);
+    EXPECT_TRUE(track.empty());
+    EXPECT_TRUE(track.times().empty());
+    for (const double x : {1, 2, 3}) track.add(at(4), {x, 0, 0, 0, 0, 0});
+    track.add(at(6.5), {9, 0, 0, 0, 0, 0});
+    EXPECT_EQ(track.recordedAt(at(4)), 3u);
+    EXPECT_EQ(track.at(at(4))->x, 1);
+    EXPECT_EQ(track.at(at(4), 1)->x, 2);
+    EXPECT_EQ(track.at(at(4), 2)->x, 3);
+    EXPECT_EQ(track.at(at(4), 7)->x, 3) << "the last";
+    EXPECT_EQ(track.times().text(), "4.000 to 6.500 s");
+    EXPECT_FALSE(track.at(INVALID_TIMESTAMP));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/OpticalPose.h"
 
+#include "voxeland/observations/PoseAxes.h"
+
 #include <Eigen/Dense>
 #include <mrpt/math/CMatrixFixed.h>
 
@@ -21,13 +23,6 @@ bool isRigid(const Eigen::Matrix4d& m)
     const Eigen::Matrix3d error = r.transpose() * r - Eigen::Matrix3d::Identity();
     return error.cwiseAbs().maxCoeff() <= TOLERANCE && r.determinant() > 0;
 }
-
-/** Optical axes in a camera with MRPT's. */
-mrpt::poses::CPose3D opticalAxes()
-{
-    using namespace mrpt::literals;
-    return {0, 0, 0, -90.0_deg, 0.0_deg, -90.0_deg};
-}
 }  // namespace
 
 std::optional<mrpt::math::TPose3D> poseFromOptical(const std::array<double, 16>& cameraToWorld)
@@ -41,11 +36,11 @@ std::optional<mrpt::math::TPose3D> poseFromOptical(const std::array<double, 16>&
 
 mrpt::math::TPose3D poseFromOptical(const mrpt::poses::CPose3D& cameraInWorld)
 {
-    return (cameraInWorld + -opticalAxes()).asTPose();
+    return (cameraInWorld + -poseOfAxes(PoseAxes::optical)).asTPose();
 }
 
 mrpt::poses::CPose3D opticalPose(const mrpt::math::TPose3D& pose)
 {
-    return mrpt::poses::CPose3D(pose) + opticalAxes();
+    return mrpt::poses::CPose3D(pose) + poseOfAxes(PoseAxes::optical);
 }
 }  // namespace voxeland

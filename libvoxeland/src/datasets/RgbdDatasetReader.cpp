@@ -106,6 +106,13 @@ CObservationInstances::Ptr RgbdDatasetReader::annotationOf(size_t, const RgbdRec
     return nullptr;
 }
 
+void RgbdDatasetReader::applyPoseOptions(mrpt::math::TPose3D& pose) const
+{
+    mrpt::poses::CPose3D given = opticalPose(pose);
+    if (m_options.invertPoses) given = -given;
+    pose = (given + -poseOfAxes(m_options.poseAxes)).asTPose();
+}
+
 RgbdRecord RgbdDatasetReader::load(size_t index) const
 {
     RgbdRecord record = read(index);
@@ -116,7 +123,8 @@ RgbdRecord RgbdDatasetReader::load(size_t index) const
     if (std::all_of(depth.data(), depth.data() + depth.size(), [](auto d) { return d == 0; }))
         throw UnusableFrame("nothing measured in the depth image");
     calibrate(*record.scan, m_cameras);
-    if (m_options.invertPoses) *record.robotPose = poseFromOptical(-opticalPose(*record.robotPose));
+    if (m_options.invertPoses || m_options.poseAxes != PoseAxes::optical)
+        applyPoseOptions(*record.robotPose);
     if (m_options.annotation) record.instances = annotationOf(index, record);
     if (record.instances) attachToScan(*record.instances, *record.scan);
     return record;

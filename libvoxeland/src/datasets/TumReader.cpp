@@ -3,16 +3,17 @@
 
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
+#include "voxeland/counted.h"
 #include "voxeland/datasets/OpticalPose.h"
 #include "voxeland/errors.h"
+#include "voxeland/observations/TimedLines.h"
+#include "voxeland/observations/Trajectory.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <tuple>
 
 namespace fs = std::filesystem;
@@ -49,16 +50,29 @@ size_t cameraNumber(const fs::path& folder)
     std::smatch match;
     return std::regex_search(name, match, PATTERN) ? std::stoul(match[1]) : 0;
 }
+
+/** A file's name as a list gives it, or with slashes where it was written on Windows. */
+std::string existingName(const fs::path& folder, const std::string& listed)
+{
+    std::string name = listed;
+    if (!fs::exists(folder / name)) std::replace(name.begin(), name.end(), '\\', '/');
+    return name;
+}
 }  // namespace
 
 TumReader::TumReader(const std::string& folder, const DatasetOptions& options)
     : RgbdDatasetReader(options), m_folder(folder), m_poses(MAX_POSE_GAP)
 {
     checkFolder(folder);
-    m_colour = readList(m_folder / "rgb.txt");
-    m_depth = readList(m_folder / "depth.txt");
+    m_colour = readList("rgb.txt");
+    m_depth = readList("depth.txt");
     m_depthOfColour = associate(m_colour, m_depth);
-    m_poses = PoseTrack::fromTumFile((m_folder / "groundtruth.txt").string(), MAX_POSE_GAP);
+    auto trajectory = Trajectory::fromTumFile((m_folder / "groundtruth.txt").string(), MAX_POSE_GAP,
+                                              options.strict);
+    m_poses = std::move(trajectory.poses);
+    for (const std::string& note : trajectory.notes) addNote(note);
+    checkTimes("rgb.txt", timesOf(m_colour), timesOf(m_depth));
+    checkTimes("groundtruth.txt", m_poses.times(), timesOf(m_depth));
 
     const size_t camera = cameraNumber(folder);
     if (camera == 0 && !options.camera)
@@ -75,24 +89,36 @@ TumReader::TumReader(const std::string& folder, const DatasetOptions& options)
           registeredCameras(camera == 0 ? PinholeCamera() : CAMERAS[camera - 1], DEPTH_SCALE));
 }
 
-std::vector<TumReader::TimedFile> TumReader::readList(const fs::path& file)
+std::vector<TumReader::TimedFile> TumReader::readList(const std::string& name)
 {
-    std::ifstream in(file);
-    if (!in) throw InputError("cannot read " + file.string() + ", which TUM's sequences have");
+    const fs::path file = m_folder / name;
+    const auto text =
+        TimedLines::fromFile(file.string(), file.string(), "timestamp file", options().strict);
+    if (text.lines.empty()) throw InputError(file.string() + " names no image");
+    for (const std::string& note : text.notes) addNote(note);
+    if (text.leftOut.count() > 0)
+        addNote(counted(text.leftOut.count(), "line") + " of " + file.string() +
+                " left out, the first: " + text.leftOut.first());
     std::vector<TimedFile> list;
-    size_t number = 0;
-    for (std::string line; std::getline(in, line);) {
-        ++number;
-        if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-        std::istringstream words(line);
-        TimedFile entry;
-        if (!readNumber(words, entry.time) || !std::isfinite(entry.time) || !(words >> entry.file))
-            throw InputError("line " + std::to_string(number) + " of " + file.string() +
-                             " is not 'timestamp file'");
-        list.push_back(entry);
-    }
-    if (list.empty()) throw InputError(file.string() + " names no image");
+    for (const TimedLine& line : text.lines)
+        list.push_back({line.time, existingName(m_folder, line.rest)});
     return list;
+}
+
+TimeRange TumReader::timesOf(const std::vector<TimedFile>& list)
+{
+    TimeRange times;
+    for (const TimedFile& image : list) times.include(image.time);
+    return times;
+}
+
+void TumReader::checkTimes(const std::string& name, const TimeRange& times,
+                           const TimeRange& depthTimes) const
+{
+    if (times.overlaps(depthTimes)) return;
+    throw NothingToMapError("no time of " + name + " (" + times.text() +
+                            ") is within those of depth.txt (" + depthTimes.text() + ") of " +
+                            m_folder.string() + ": give all times in seconds from the same zero");
 }
 
 std::vector<int64_t> TumReader::associate(const std::vector<TimedFile>& first,
@@ -119,7 +145,8 @@ std::vector<int64_t> TumReader::associate(const std::vector<TimedFile>& first,
 
 RgbdRecord TumReader::read(size_t index) const
 {
-    if (m_depthOfColour[index] < 0) throw UnusableFrame("no depth image within 20 ms");
+    if (m_depthOfColour[index] < 0)
+        throw UnusableFrame("no depth image within 20 ms that is not another frame's");
     const TimedFile& depth = m_depth[static_cast<size_t>(m_depthOfColour[index])];
     const auto time = mrpt::Clock::fromDouble(depth.time);
     const auto pose = m_poses.at(time);

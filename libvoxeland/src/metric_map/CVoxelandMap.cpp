@@ -43,7 +43,7 @@ void warnOfAnotherCamera(const std::string& refused, const std::string& mapped)
 }  // namespace
 
 CVoxelandMap::CVoxelandMap()
-    : m_assembler(InputOptions().prediction_wait, PoseTrack(InputOptions().max_pose_gap))
+    : m_assembler(InputOptions().prediction_wait, InputOptions().max_pose_gap)
 {
 }
 
@@ -115,7 +115,7 @@ void CVoxelandMap::internal_clear()
 void CVoxelandMap::startAssembler()
 {
     const InputOptions input = m_mapper ? m_mapper->config().input : InputOptions();
-    m_assembler = FrameAssembler(input.prediction_wait, PoseTrack(input.max_pose_gap));
+    m_assembler = FrameAssembler(input.prediction_wait, input.max_pose_gap);
 }
 
 InputOptions CVoxelandMap::withCamera(InputOptions options) const
@@ -138,8 +138,8 @@ bool CVoxelandMap::internal_insertObservation(const CObservation& observation,
 {
     if (const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation)) {
         if (!isOfTheCamera(*scan)) return false;
-        m_assembler.addPose(scan->timestamp, robotPose.value_or(CPose3D()).asTPose());
-        m_assembler.addScan(std::make_shared<CObservation3DRangeScan>(*scan));
+        m_assembler.addScan(std::make_shared<CObservation3DRangeScan>(*scan), nullptr,
+                            RobotPose{robotPose.value_or(CPose3D()).asTPose(), nullptr});
     } else if (const auto* instances = dynamic_cast<const CObservationInstances*>(&observation)) {
         const std::string& wanted = mapper().config().input.instances_sensor_label;
         if (!wanted.empty() && wanted != instances->sensorLabel) return false;

@@ -22,9 +22,8 @@ void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
     if (source.skipped().framesWithoutPose == 0)
         throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
                                 " frames is in the range asked for");
-    throw NothingToMapError(
-        "none of the rawlog's " + std::to_string(source.framesMet()) +
-        " frames has a pose: check pose_source, or give a trajectory with --poses");
+    throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
+                            " frames has a pose: " + source.whyNoPoses());
 }
 /** The next frame that measured something; those before are left out.
  *  \param unreadable set if one of them is left out for another reason */

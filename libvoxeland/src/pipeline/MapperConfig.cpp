@@ -21,11 +21,20 @@ void declare(OptionList& list, InputOptions& o)
     list.add("depth_sensor_label", o.depth_sensor_label,
              "Sensor label of the RGB-D camera; empty: the first CObservation3DRangeScan met");
     list.add("instances_sensor_label", o.instances_sensor_label,
-             "Sensor label of the predictions; empty: any CObservationInstances");
+             "Sensor label of the predictions; empty: that of the camera, or else the first met");
     list.add(
         "pose_source", o.pose_source,
         "Where robot poses come from: robot_pose | odometry | actions | tum:<file>; those of a "
         "simplemap are its keyframes', unless tum:<file>");
+    list.add(
+        "pose_axes", o.pose_axes,
+        std::vector<std::pair<std::string, PoseAxes>>{
+            {"body", PoseAxes::body}, {"optical", PoseAxes::optical}, {"opengl", PoseAxes::opengl}},
+        "What those poses are of: body, the robot (x forward, y left, z up); optical, the "
+        "depth camera (x right, y down, z forward); opengl, it too (x right, y up, z backward); "
+        "of actions and simplemaps always body");
+    list.add("pose_sensor_label", o.pose_sensor_label,
+             "Sensor label of the robot poses; empty: the first CObservationRobotPose met");
     list.add("max_pose_gap", o.max_pose_gap, {0, INF},
              "Longest time between two poses to interpolate over [s]");
     list.add("prediction_wait", o.prediction_wait, {0, 1000},

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 
+#include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/GzInputFile.h"
+#include "voxeland/numbers.h"
+#include "voxeland/observations/Trajectory.h"
 #include "voxeland/pipeline/PoseSource.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
@@ -21,16 +24,6 @@ namespace voxeland
 {
 namespace
 {
-PoseTrack initialPoses(const InputOptions& options)
-{
-    const std::string& source = options.pose_source;
-    const std::string problem = problemOfPoseSource(source);
-    if (!problem.empty()) throw ConfigurationError(problem);
-    if (!isTumPoseSource(source)) return PoseTrack(options.max_pose_gap);
-    return PoseTrack::fromTumFile(source.substr(std::string(TUM_POSES).size()),
-                                  options.max_pose_gap);
-}
-
 /** Increment of the robot's pose in an action; none if it holds no movement. */
 mrpt::poses::CPose3D movement(const CActionCollection& actions)
 {
@@ -50,14 +43,29 @@ PoseCovariance covarianceOf(const mrpt::poses::CPose3DPDF& pose)
 }  // namespace
 
 RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions& options,
-                                     const FrameRange& range)
+                                     const FrameRange& range, bool strict)
     : m_file(file),
       m_options(options),
       m_range(range),
+      m_cameras("scans", options.depth_sensor_label, "depth_sensor_label"),
+      m_detectors("predictions", options.instances_sensor_label, "instances_sensor_label"),
+      m_poseSensors("poses", options.pose_sensor_label, "pose_sensor_label"),
       m_input(std::make_unique<GzInputFile>(file)),
-      m_sidecar(RawlogFiles(file)),
-      m_assembler(options.prediction_wait, initialPoses(options))
+      m_sidecar(
+          RawlogFiles(file), [this](const auto& p) { return isOfTheDetector(p); },
+          [this](uint32_t laterFrame) { countWithoutFrame(laterFrame); }),
+      m_assembler(options.prediction_wait, options.max_pose_gap, strict)
 {
+    const std::string& source = options.pose_source;
+    const std::string problem = problemOfPoseSource(source);
+    if (!problem.empty()) throw ConfigurationError(problem);
+    m_assembler.setPoseAxes(options.pose_axes);
+    if (isTumPoseSource(source)) {
+        auto trajectory = Trajectory::fromTumFile(source.substr(std::string(TUM_POSES).size()),
+                                                  options.max_pose_gap, strict);
+        m_assembler.setTrajectory(std::move(trajectory.poses));
+        m_trajectoryNotes = std::move(trajectory.notes);
+    }
     RawlogFiles(file).useImages();
 }
 
@@ -70,7 +78,7 @@ std::optional<RgbdFrame> RawlogFrameSource::next()
         if (m_finished) return std::nullopt;
         if (m_beyondRange || !readOn()) {
             m_finished = true;
-            readSidecar(mrpt::Clock::time_point::max(), m_framesMet);
+            m_sidecar.finish(m_framesMet, m_framesMet <= m_range.to);
             m_assembler.finish();
         }
     }
@@ -81,6 +89,39 @@ FrameAssembler::Counts RawlogFrameSource::skipped() const
     FrameAssembler::Counts counts = m_assembler.counts();
     counts.predictionsWithoutFrame += m_sidecarWithoutFrame;
     return counts;
+}
+
+std::vector<std::string> RawlogFrameSource::notes() const
+{
+    std::vector<std::string> notes = m_trajectoryNotes;
+    for (const LabelChoice* choice : {&m_cameras, &m_detectors, &m_poseSensors})
+        choice->tell(notes);
+    const LeftOut& odd = m_assembler.oddPoses();
+    if (odd.count() > 0)
+        notes.push_back(counted(odd.count(), "pose or covariance", "poses or covariances") +
+                        " of the rawlog left out, the first: " + odd.first());
+    const uint32_t lost = m_assembler.counts().framesWithoutPose;
+    if (lost > 0)
+        notes.push_back(counted(lost, "frame") + " left out without a pose: " + whyNoPoses());
+    return notes;
+}
+
+std::string RawlogFrameSource::whyNoPoses() const
+{
+    const TimeRange frames = m_assembler.scanTimes(), poses = m_assembler.poseTimes();
+    const bool fromFile = isTumPoseSource(m_options.pose_source);
+    if (frames.empty())
+        return "they have no timestamps, by which poses are found: set those of the scans";
+    if (poses.empty())
+        return "there are no poses of pose_source = " + m_options.pose_source +
+               ": choose another one, or give a trajectory with --poses";
+    const std::string times = "the frames are of " + frames.text() + ", the poses of " +
+                              (fromFile ? "the trajectory " : "") + poses.text() + ": ";
+    if (!frames.overlaps(poses))
+        return times + (fromFile ? "give the trajectory's times in seconds from the rawlog's zero"
+                                 : "give a trajectory of the frames' times with --poses");
+    return times + "no two around theirs are within max_pose_gap (" +
+           numberText(m_options.max_pose_gap) + " s)";
 }
 
 double RawlogFrameSource::progress() const
@@ -101,11 +142,9 @@ void RawlogFrameSource::take(const mrpt::serialization::CSerializable::Ptr& obje
     if (const auto observation = std::dynamic_pointer_cast<CObservation>(object)) {
         takeObservation(observation);
     } else if (const auto actions = std::dynamic_pointer_cast<CActionCollection>(object)) {
-        m_actionsPose = m_actionsPose + movement(*actions);
+        m_framePose.mean = (mrpt::poses::CPose3D(m_framePose.mean) + movement(*actions)).asTPose();
     } else if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object)) {
         for (const auto& o : *frame) {
-            if (m_options.pose_source == "actions")
-                m_assembler.addPose(o->timestamp, m_actionsPose.asTPose());
             takeObservation(o);
         }
     } else if (const auto map = std::dynamic_pointer_cast<mrpt::maps::CSimpleMap>(object)) {
@@ -113,12 +152,8 @@ void RawlogFrameSource::take(const mrpt::serialization::CSerializable::Ptr& obje
         std::string& source = m_options.pose_source;
         if (!isTumPoseSource(source)) source = SIMPLEMAP_POSES;
         for (const auto& keyframe : *map) {
-            for (const auto& o : *keyframe.sf) {
-                if (source == SIMPLEMAP_POSES)
-                    m_assembler.addPose(o->timestamp, keyframe.pose->getMeanVal().asTPose(),
-                                        covarianceOf(*keyframe.pose));
-                takeObservation(o);
-            }
+            m_framePose = {keyframe.pose->getMeanVal().asTPose(), covarianceOf(*keyframe.pose)};
+            for (const auto& o : *keyframe.sf) takeObservation(o);
         }
     }
 }
@@ -127,7 +162,7 @@ void RawlogFrameSource::takeObservation(const CObservation::Ptr& observation)
 {
     const std::string& source = m_options.pose_source;
     if (const auto pose = std::dynamic_pointer_cast<CObservationRobotPose>(observation)) {
-        if (source != "robot_pose") return;
+        if (source != "robot_pose" || !m_poseSensors.takes(pose->sensorLabel)) return;
         const mrpt::poses::CPose3D robotInSensor = mrpt::poses::CPose3D() - pose->sensorPose;
         mrpt::poses::CPose3DPDFGaussian robot = pose->pose;
         if (robotInSensor != mrpt::poses::CPose3D()) robot += robotInSensor;
@@ -139,9 +174,7 @@ void RawlogFrameSource::takeObservation(const CObservation::Ptr& observation)
                                 mrpt::poses::CPose3D(odometry->odometry).asTPose());
     } else if (const auto predictions =
                    std::dynamic_pointer_cast<CObservationInstances>(observation)) {
-        const std::string& label = m_options.instances_sensor_label;
-        if (label.empty() || label == predictions->sensorLabel)
-            m_assembler.addInstances(predictions);
+        if (isOfTheDetector(*predictions)) m_assembler.addInstances(predictions);
     } else if (std::dynamic_pointer_cast<CObservation3DRangeScan>(observation)) {
         takeScan(observation);
     }
@@ -149,18 +182,21 @@ void RawlogFrameSource::takeObservation(const CObservation::Ptr& observation)
 
 void RawlogFrameSource::takeScan(const CObservation::Ptr& observation)
 {
-    std::string& label = m_options.depth_sensor_label;
-    if (label.empty()) label = observation->sensorLabel;
-    if (label != observation->sensorLabel) return;
+    if (!m_cameras.takes(observation->sensorLabel)) return;
     const uint32_t number = m_framesMet++;
     // Poses and predictions of the last frames may come as late as for any other frame.
     m_beyondRange = number > m_range.to && number - m_range.to >= m_options.prediction_wait;
-    readSidecar(observation->timestamp, number);
+    CObservationInstances::Ptr predictions;
+    if (number <= m_range.to) predictions = m_sidecar.of(observation->timestamp, number);
     if (!isWanted(number)) {
         m_assembler.skipScan(observation->timestamp);
         return;
     }
-    m_assembler.addScan(std::dynamic_pointer_cast<CObservation3DRangeScan>(observation));
+    std::optional<RobotPose> pose;
+    if (m_options.pose_source == "actions" || m_options.pose_source == SIMPLEMAP_POSES)
+        pose = m_framePose;
+    m_assembler.addScan(std::dynamic_pointer_cast<CObservation3DRangeScan>(observation),
+                        predictions, pose);
 }
 
 bool RawlogFrameSource::isWanted(uint32_t number) const
@@ -169,16 +205,16 @@ bool RawlogFrameSource::isWanted(uint32_t number) const
            (number - m_range.from) % m_range.every == 0;
 }
 
-void RawlogFrameSource::readSidecar(const mrpt::Clock::time_point& until, uint32_t frameNumber)
+void RawlogFrameSource::countWithoutFrame(uint32_t laterFrame)
 {
-    if (frameNumber > m_range.to) return;
-    const std::string& label = m_options.instances_sensor_label;
-    while (const auto predictions = m_sidecar.next(until)) {
-        if (!label.empty() && label != predictions->sensorLabel) continue;
-        if (predictions->timestamp < until)
-            m_sidecarWithoutFrame += frameNumber >= m_range.from ? 1 : 0;
-        else if (isWanted(frameNumber))
-            m_assembler.addInstances(predictions);
-    }
+    if (laterFrame >= m_range.from && laterFrame <= m_range.to) ++m_sidecarWithoutFrame;
+}
+
+bool RawlogFrameSource::isOfTheDetector(const CObservationInstances& predictions)
+{
+    // Where several cameras have predictions, those of the camera's own label are its own.
+    const std::string& label = predictions.sensorLabel;
+    if (m_framesMet > 0 && label == m_cameras.label()) m_detectors.prefer(label);
+    return m_detectors.takes(label);
 }
 }  // namespace voxeland

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/datasets/DatasetCameras.h"
+#include "voxeland/observations/PoseAxes.h"
 
 #include <optional>
 
@@ -17,10 +18,12 @@ struct DatasetOptions
     std::optional<double> depthScale;
     /** The dataset's poses are world-to-camera transforms. */
     bool invertPoses = false;
+    /** Axes of those poses, after inversion if any. body: the camera's, as MRPT has them. */
+    PoseAxes poseAxes = PoseAxes::optical;
     /** The dataset's own annotation serves as predictions, see RgbdRecord::instances: objects with
      *  their true category, a score of 1 and their ids as tracks. */
     bool annotation = false;
-    /** A frame that cannot be used is an error. */
+    /** Frames that cannot be used, and odd lines of lists and trajectories, are errors. */
     bool strict = false;
 };
 }  // namespace voxeland

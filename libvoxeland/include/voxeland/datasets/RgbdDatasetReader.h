@@ -103,6 +103,8 @@ class RgbdDatasetReader
     /** Sizes of most frames, of a few all over the dataset; nothing if none of them can be read. */
     [[nodiscard]] std::optional<FrameSizes> usualSizes() const;
     void fitCameras();
+    /** Makes the camera's pose of one that was read as that of its optical axes. */
+    void applyPoseOptions(mrpt::math::TPose3D& pose) const;
 
     DatasetOptions m_options;
     DatasetCameras m_cameras;

@@ -17,13 +17,15 @@ namespace voxeland
  *  - 5000 in a depth image make a metre. Depth is registered to colour.
  *  - The camera is that of "freiburg1", "freiburg2" or "freiburg3" (also "fr1" ...) in the folder's
  *    name, with its lens distortion.
+ *  - What lines may look like is told by TimedLines and Trajectory; odd ones are left out.
  *  - Frames are numbered by the lines of `rgb.txt`, from 0.
  *
  *  A frame without a depth image or a pose is skipped. */
 class TumReader : public RgbdDatasetReader
 {
  public:
-    /** \throws InputError if a list is missing, malformed or empty; ConfigurationError if the
+    /** \throws InputError if a list is missing, malformed or empty; NothingToMapError, with both
+     * ranges of times, if those of the lists have nothing in common; ConfigurationError if the
      *  folder's name does not tell the camera, and the options don't either */
     explicit TumReader(const std::string& folder, const DatasetOptions& options = {});
 
@@ -39,7 +41,11 @@ class TumReader : public RgbdDatasetReader
         double time = 0;  //!< [s since 1970]
         std::string file;
     };
-    static std::vector<TimedFile> readList(const std::filesystem::path& file);
+    std::vector<TimedFile> readList(const std::string& name);
+    static TimeRange timesOf(const std::vector<TimedFile>& list);
+    /** \throws NothingToMapError, with both, unless times overlap those of the depth images */
+    void checkTimes(const std::string& name, const TimeRange& times,
+                    const TimeRange& depthTimes) const;
     /** Position in the second list for each of the first, -1 if there is none. */
     static std::vector<int64_t> associate(const std::vector<TimedFile>& first,
                                           const std::vector<TimedFile>& second);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/map/SemanticVoxelMap.h"
+#include "voxeland/observations/PoseAxes.h"
 #include "voxeland/observations/VoxelizedFrame.h"
 #include "voxeland/pipeline/DisambiguationOptions.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
@@ -19,8 +20,10 @@ struct InputOptions
     std::string depth_sensor_label;  //!< sensorLabel of the RGB-D camera; empty: the first one met
     std::string instances_sensor_label;  //!< sensorLabel of the predictions; empty: any
     std::string pose_source =
-        "robot_pose";              //!< robot_pose | odometry | actions | simplemap | `tum:FILE`
-    double max_pose_gap = 0.25;    //!< longest time to interpolate poses over [s]
+        "robot_pose";  //!< robot_pose | odometry | actions | simplemap | `tum:FILE`
+    PoseAxes pose_axes = PoseAxes::body;  //!< what the poses of rawlog or trajectory are those of
+    std::string pose_sensor_label;        //!< sensorLabel of the robot poses; empty: the first met
+    double max_pose_gap = 0.25;           //!< longest time to interpolate poses over [s]
     uint32_t prediction_wait = 5;  //!< newer frames to wait for a frame's predictions or pose
     DepthLimits depth;
     uint32_t threads = 0;  //!< threads that read and prepare frames; 0: one a core

@@ -2,11 +2,13 @@
 #pragma once
 #include "voxeland/observations/FrameAssembler.h"
 #include "voxeland/pipeline/MapperConfig.h"
+#include "voxeland/rawlogs/LabelChoice.h"
 #include "voxeland/rawlogs/PredictionSidecar.h"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace mrpt::obs
 {
@@ -36,10 +38,11 @@ struct FrameRange
 class RawlogFrameSource
 {
  public:
-    /** \throws InputError if a file cannot be read, ConfigurationError for an unknown pose source
+    /** \param strict odd poses, which are left out and told otherwise, are errors
+     *  \throws InputError if a file cannot be read, ConfigurationError for an unknown pose source
      */
-    RawlogFrameSource(const std::string& file, const InputOptions& options,
-                      const FrameRange& range);
+    RawlogFrameSource(const std::string& file, const InputOptions& options, const FrameRange& range,
+                      bool strict = false);
     ~RawlogFrameSource();
 
     /** The next frame, or none at the end.
@@ -52,6 +55,10 @@ class RawlogFrameSource
     [[nodiscard]] uint32_t framesMet() const { return m_framesMet; }
     /** What of the range could not be used. */
     [[nodiscard]] FrameAssembler::Counts skipped() const;
+    /** What was assumed, or left out without being asked, so far: sentences for the user. */
+    [[nodiscard]] std::vector<std::string> notes() const;
+    /** Why frames have no pose, as far as their times tell, and what to do. */
+    [[nodiscard]] std::string whyNoPoses() const;
 
  private:
     /** Gives what the next object of the file holds to the assembler; false at the end. */
@@ -61,19 +68,22 @@ class RawlogFrameSource
     void takeScan(const std::shared_ptr<mrpt::obs::CObservation>& observation);
     /** Whether a frame of this number is not left out on purpose. */
     [[nodiscard]] bool isWanted(uint32_t number) const;
-    /** Reads the sidecar up to the time of a frame and gives that frame's predictions, if it is
-     * wanted, to the assembler. Predictions between two frames belong to none; which part of a run
-     * cut in several counts them is decided by the later frame. */
-    void readSidecar(const mrpt::Clock::time_point& until, uint32_t frameNumber);
+    /** Predictions between two frames belong to none; which part of a run cut in several counts
+     * them is decided by the later frame. */
+    void countWithoutFrame(uint32_t laterFrame);
+    bool isOfTheDetector(const CObservationInstances& predictions);
 
     std::string m_file;
     InputOptions m_options;
     FrameRange m_range;
+    LabelChoice m_cameras, m_detectors, m_poseSensors;
     std::unique_ptr<GzInputFile> m_input;
     PredictionSidecar m_sidecar;
     FrameAssembler m_assembler;
-    mrpt::poses::CPose3D m_actionsPose;  //!< where the actions so far have led
+    RobotPose m_framePose{};  //!< of a sensory frame: where the actions so far have led, or the
+                              //!< keyframe's
     uint32_t m_framesMet = 0;
+    std::vector<std::string> m_trajectoryNotes;
     uint32_t m_sidecarWithoutFrame =
         0;  //!< predictions of the sidecar that no scan has the timestamp of
     bool m_beyondRange = false, m_finished = false;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/numbers.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace voxeland
+{
+/** The times between a first and a last one [s since 1970, or since what a file counts from]. */
+struct TimeRange
+{
+    double first = std::numeric_limits<double>::infinity();
+    double last = -std::numeric_limits<double>::infinity();
+
+    void include(double time)
+    {
+        first = std::min(first, time);
+        last = std::max(last, time);
+    }
+    [[nodiscard]] bool empty() const { return first > last; }
+    [[nodiscard]] bool contains(double time) const { return first <= time && time <= last; }
+    [[nodiscard]] bool overlaps(const TimeRange& other) const
+    {
+        return first <= other.last && other.first <= last;
+    }
+    /** "1305031100.000 to 1305031101.100 s" */
+    [[nodiscard]] std::string text() const
+    {
+        return fixedText(first, 3) + " to " + fixedText(last, 3) + " s";
+    }
+};
+}  // namespace voxeland

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/observations/RecordingClock.h"
+
+#include <algorithm>
+
+namespace voxeland
+{
+namespace
+{
+constexpr size_t REMEMBERED = 4;
+constexpr auto OUT_OF_ORDER = std::chrono::milliseconds(100);
+}  // namespace
+
+uint32_t RecordingClock::recordingOf(Stream stream, const mrpt::Clock::time_point& time)
+{
+    auto* latest = &m_latest.at(static_cast<size_t>(stream));
+    if (latest->size() > 1) {
+        const auto [least, greatest] = std::minmax_element(latest->begin(), latest->end());
+        if (time <= *least && time + OUT_OF_ORDER < *greatest) {
+            ++m_recording;
+            m_latest = {};
+        }
+    }
+    latest->push_back(time);
+    if (latest->size() > REMEMBERED) latest->pop_front();
+    return m_recording;
+}
+}  // namespace voxeland
