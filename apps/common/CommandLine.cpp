@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/CommandLine.h"
 
+#include "common/Interruption.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
 
@@ -21,6 +22,16 @@ namespace voxeland::apps
 namespace
 {
 constexpr const char* LEVELS = "DEBUG, INFO, WARN, ERROR";
+
+/** What is wrong with a command line, with the option's name. */
+std::string problem(const TCLAP::ArgException& e)
+{
+    static const std::regex decoration(R"(^Argument: |[()])");
+    const std::string option = std::regex_replace(e.argId(), decoration, ""), error = e.error();
+    if (error.compare(0, 15, "Missing a value") == 0) return option + " needs a value";
+    if (error.compare(0, 19, "Couldn't find match") == 0) return "there is no option " + option;
+    return option + ": " + error;
+}
 
 /** Prints the description untouched (TCLAP would refill its lines) and wrong usage in one sentence.
  */
@@ -44,7 +55,7 @@ class HelpOutput : public TCLAP::StdOutput
     }
     void failure(TCLAP::CmdLineInterface&, TCLAP::ArgException& e) override
     {
-        throw ConfigurationError(e.argId() + ": " + e.error() + " (see --help)");
+        throw ConfigurationError(problem(e) + " (see --help)");
     }
 };
 
@@ -86,6 +97,16 @@ void refuseNegativeCounts(const std::vector<std::string>& words,
                 throw ConfigurationError(words[i - 1] + " takes a number from 0, not " + words[i]);
 }
 
+/** A word as a shell takes it. */
+std::string forShell(const std::string& word)
+{
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("-_./=,:+@%").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    return plain ? word : "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'";
+}
+
 int fail(const char* program, const std::exception& e, int exitCode)
 {
     std::cerr << program << ": " << sentence(e) << "\n";
@@ -109,12 +130,24 @@ CommandLine::CommandLine(const std::string& description)
 bool CommandLine::parse(int argc, char** argv)
 {
     std::vector<const char*> words;
-    const std::vector<std::string> texts = wordsOf(argc, argv, m_parser.getArgList());
-    refuseNegativeCounts(texts, m_parser.getArgList());
-    for (const std::string& text : texts) words.push_back(text.c_str());
+    m_words = wordsOf(argc, argv, m_parser.getArgList());
+    refuseNegativeCounts(m_words, m_parser.getArgList());
+    for (const std::string& text : m_words) words.push_back(text.c_str());
     if (!m_parser.parse(static_cast<int>(words.size()), words.data())) return false;
     static_cast<void>(verbosity());  // complain about it now
     return true;
+}
+
+std::string CommandLine::commandWith(const std::map<std::string, std::string>& values) const
+{
+    std::string command;
+    for (size_t i = 0; i < m_words.size(); ++i)
+        if (i > 0 && values.count(m_words[i]) > 0)
+            ++i;  // its value, too
+        else
+            command += (i == 0 ? "" : " ") + forShell(m_words[i]);
+    for (const auto& [option, value] : values) command += " " + option + " " + forShell(value);
+    return command;
 }
 
 VerbosityLevel CommandLine::verbosity() const
@@ -176,6 +209,9 @@ int runProgram(const char* program, const std::function<int()>& body)
         if (!std::cout.flush())
             throw OutputError("cannot write to standard output: free some space");
         return exitCode;
+    } catch (const Interrupted& e) {
+        std::cerr << program << ": " << e.what() << "\n";
+        return INTERRUPTED;
     } catch (const ConfigurationError& e) {
         return fail(program, e, 1);
     } catch (const PluginError& e) {

@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ class CommandLine
     /** \return false if --help or --version was asked for and printed: end with exit code 0
      *  \throws ConfigurationError for wrong usage */
     [[nodiscard]] bool parse(int argc, char** argv);
+    /** The command that was given, for a shell, with other values of some options, or with these
+     * added. \param values by the options' long names, like "--from" */
+    [[nodiscard]] std::string commandWith(const std::map<std::string, std::string>& values) const;
     /** Least severe message to show. */
     [[nodiscard]] mrpt::system::VerbosityLevel verbosity() const;
     /** Whether progress and notes are not wanted. */
@@ -36,6 +40,7 @@ class CommandLine
     TCLAP::CmdLine m_parser;
     TCLAP::ValueArg<std::string> m_verbosity;
     TCLAP::SwitchArg m_quiet;
+    std::vector<std::string> m_words;  //!< as given, `--name=value` in two
 };
 
 /** What an exception says, in one line: MRPT wraps its messages in a title and the call stack. */

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <stdexcept>
 
 namespace voxeland::apps
 {
 /** Exit code of a program that the user stopped, by Ctrl-C or SIGTERM. */
 constexpr int INTERRUPTED = 130;
 
+/** Thrown to end so, with what was kept and how to go on: printed as it is by runProgram(). */
+struct Interrupted : std::runtime_error
+{
+    using std::runtime_error::runtime_error;
+};
+
 /** Lets a program end in good order when the user stops it. While an object of this class lives,
  * the first SIGINT or SIGTERM is only noted: the program asks wasRequested() now and then, saves
- * what it has and returns INTERRUPTED. The second one ends the program at once. One object at a
+ * what it has and throws Interrupted. The second one ends the program at once. One object at a
  * time. */
 class Interruption
 {

@@ -10,30 +10,25 @@
 
 namespace voxeland::apps
 {
-namespace
+std::vector<double> numbersIn(const std::string& text, size_t count)
 {
-/** Reads finite numbers separated by commas, just as many as there are. */
-bool readNumbers(const std::string& text, std::initializer_list<double*> numbers)
-{
-    std::istringstream in(text + ',');
-    std::string word;
-    for (double* number : numbers) {
-        std::getline(in, word, ',');
-        const auto value = parsed<double>(trimmed(word));
-        if (!value || !std::isfinite(*value)) return false;
-        *number = *value;
+    std::vector<double> numbers;
+    std::istringstream in(text + ",");
+    for (std::string word; std::getline(in, word, ',');) {
+        const auto number = parsed<double>(trimmed(word));
+        if (!number || !std::isfinite(*number)) return {};
+        numbers.push_back(*number);
     }
-    return in.peek() == std::istringstream::traits_type::eof();
+    return numbers.size() == count ? numbers : std::vector<double>();
 }
-}  // namespace
 
 mrpt::math::TPoint3D parsePoint(const std::string& option, const std::string& text)
 {
-    mrpt::math::TPoint3D p;
-    if (!readNumbers(text, {&p.x, &p.y, &p.z}))
+    const auto numbers = numbersIn(text, 3);
+    if (numbers.empty())
         throw ConfigurationError("--" + option + " '" + text +
                                  "' is not three numbers like 1.5,-2,0.3");
-    return p;
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 mrpt::math::TVector3D parseDirection(const std::string& option, const std::string& text)
@@ -45,10 +40,10 @@ mrpt::math::TVector3D parseDirection(const std::string& option, const std::strin
 
 HeightRange parseHeights(const std::string& option, const std::string& text)
 {
-    HeightRange range;
-    if (!readNumbers(text, {&range.low, &range.high}) || range.low > range.high)
+    const auto numbers = numbersIn(text, 2);
+    if (numbers.empty() || numbers[0] > numbers[1])
         throw ConfigurationError("--" + option + " '" + text +
                                  "' is not two increasing numbers like 0.1,1.8");
-    return range;
+    return {numbers[0], numbers[1]};
 }
 }  // namespace voxeland::apps

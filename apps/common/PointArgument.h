@@ -5,9 +5,14 @@
 #include <mrpt/math/TPoint3D.h>
 
 #include <string>
+#include <vector>
 
 namespace voxeland::apps
 {
+/** The finite numbers that commas separate in a text, blanks beside them allowed; none unless there
+ * are just so many. */
+std::vector<double> numbersIn(const std::string& text, size_t count);
+
 /** Reads "x,y,z".
  *  \param option name of the command line option, for the message
  *  \throws ConfigurationError unless the text is three finite numbers */

@@ -2,6 +2,7 @@
 #pragma once
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace voxeland::apps
@@ -30,6 +31,14 @@ class Progress
     std::string m_what;
     size_t m_total;
     bool m_shown, m_terminal, m_drawn = false;
-    clock::time_point m_start, m_lastDrawn;
+    /** The first update: what came before it, as skipping frames, tells nothing of the rate. */
+    struct Begin
+    {
+        clock::time_point time;
+        size_t done;
+        double fraction;
+    };
+    std::optional<Begin> m_begin;
+    clock::time_point m_lastDrawn;
 };
 }  // namespace voxeland::apps

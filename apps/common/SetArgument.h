@@ -22,7 +22,7 @@ class SetArgument : public TCLAP::MultiArg<std::string>
     /** Sets the keys given, in their order. \throws ConfigurationError as Ini::set() */
     void applyTo(Ini& ini)
     {
-        for (const std::string& assignment : getValue()) ini.set(assignment);
+        for (const std::string& assignment : getValue()) ini.set(assignment, "--set");
     }
 };
 }  // namespace voxeland::apps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Makes a semantic voxel map from a rawlog. */
 #include "common/CommandLine.h"
+#include "common/Interruption.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "voxeland/counted.h"
@@ -16,8 +17,10 @@
 #include "voxeland/plugins/PluginLoader.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
+#include <filesystem>
 #include <iostream>
 #include <limits>
+#include <map>
 
 using namespace voxeland;
 
@@ -35,7 +38,10 @@ const char* const DESCRIPTION =
 
 Without -c the defaults hold: predictions recorded in the rawlog or in NAME.instances.rawlog beside it,
 the paper's association, 5 cm voxels. --dump-config prints all keys of the INI with their meaning.
-Exit codes: 0 done, 1 usage or configuration, 2 plugin, 3 input, 4 nothing to map, 5 output.)";
+Ctrl-C saves the map of the frames so far and prints the command that goes on; a second one ends at once.
+Per cent and time left count frames, whose number is estimated from what was read of the rawlog.
+Exit codes: 0 done, 1 usage or configuration, 2 plugin, 3 input, 4 nothing to map, 5 output,
+130 interrupted.)";
 
 /** The program's command line. */
 struct Arguments : apps::CommandLine
@@ -62,8 +68,6 @@ struct Arguments : apps::CommandLine
         "",
         "MAP.voxeland",
         parser()};
-    TCLAP::SwitchArg strict{"", "strict", "A frame whose depth image cannot be used is an error",
-                            parser()};
     apps::SetArgument set{"configuration", parser()};
     TCLAP::ValueArg<uint32_t> every{"",  "every", "Use one frame in so many (default: 1)", false, 1,
                                     "N", parser()};
@@ -80,7 +84,9 @@ struct Arguments : apps::CommandLine
         "",      "export-dir", "Also write PLY, JSON, CSV and pictures of the map into this folder",
         false,   "",           "DIR",
         parser()};
-    TCLAP::SwitchArg strict{"", "strict", "Odd poses, left out and told otherwise, are errors",
+    TCLAP::SwitchArg strict{"", "strict",
+                            "An odd pose, or a frame whose depth image cannot be used, is an error "
+                            "instead of left out and told",
                             parser()};
     TCLAP::ValueArg<std::string> poseAxes{
         "",
@@ -160,8 +166,17 @@ void warnOf(Arguments& arguments, const MappedInput& met)
                        "parameters and relativePoseIntensityWRTDepth");
 }
 
-/** Maps the rawlog. \return each frame's stage times */
-TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
+/** What a run did. */
+struct Run
+{
+    TimingLog timing;
+    uint32_t frames = 0;                    //!< mapped
+    std::optional<uint32_t> stoppedBefore;  //!< first frame that an interrupted run left out
+};
+
+/** Maps the rawlog, or what of it comes before the user interrupts the program.
+ *  \throws apps::Interrupted if that is nothing */
+Run mapFrames(Arguments& arguments, CVoxelandMap& map, const apps::Interruption& interruption)
 {
     const MappingCounts before = map.counts();
     auto timesBefore = timesOfViews(map.map());
@@ -169,40 +184,67 @@ TimingLog mapFrames(Arguments& arguments, CVoxelandMap& map)
         arguments.input.getValue(), map.withCamera(map.mapper().config().input),
         {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()},
         arguments.strict.isSet());
+    source.stopWhen([&] { return interruption.wasRequested(); });
     apps::Progress progress("frames", 0, !arguments.quiet());
-    TimingLog timing;
-    size_t done = 0;
+    Run run;
     const auto onFrame = [&](const mrpt::Clock::time_point& taken, const StageTimes& times) {
         if (timesBefore.count(taken) > 0) {
             warnOfRepetition(arguments, before);
             timesBefore.clear();  // once will do
         }
-        timing.add(times);
-        progress.update(++done, source.progress());
+        run.timing.add(times);
+        ++run.frames;
+        progress.update(run.frames, static_cast<double>(run.frames) / source.expectedFrames());
     };
-    warnOf(arguments, mapRawlog(source, map, onFrame, arguments.strict.isSet()));
+    const MappedInput met = mapRawlog(source, map, onFrame, arguments.strict.isSet());
+    run.stoppedBefore = source.stoppedBefore();
+    if (run.stoppedBefore && run.frames == 0)
+        throw apps::Interrupted("interrupted before a frame was mapped: nothing was written");
+    warnOf(arguments, met);
     for (const std::string& note : source.notes()) arguments.warn(note);
-    return timing;
+    return run;
 }
 
 /** Maps the rawlog and saves the map, with a trace if one is asked for: both or none. */
-TimingLog mapAndSave(Arguments& arguments, CVoxelandMap& map)
+Run mapAndSave(Arguments& arguments, CVoxelandMap& map)
 {
-    TimingLog timing;
+    const apps::Interruption interruption;
+    Run run;
     const auto save = [&] { saveMap(map, arguments.output.getValue()); };
     if (!arguments.trace.isSet()) {
-        timing = mapFrames(arguments, map);
+        run = mapFrames(arguments, map, interruption);
         save();
-        return timing;
+        return run;
     }
     writeAtomically(arguments.trace.getValue(), [&](std::ostream& out) {
         map.setTrace(std::make_shared<MappingTrace>(out, map.mapper().config()));
-        timing = mapFrames(arguments, map);
+        run = mapFrames(arguments, map, interruption);
         map.setTrace(nullptr);
         out.flush();  // a full disk must show before an earlier map is replaced
         save();
     });
-    return timing;
+    return run;
+}
+
+/** Name of a file beside one of an interrupted run, for the frames from a number on. */
+std::string continued(const std::string& file, uint32_t from)
+{
+    std::filesystem::path path = file;
+    const std::string extension = path.extension().string();
+    return path.replace_extension(".from" + std::to_string(from) + extension).string();
+}
+
+/** Ends an interrupted run, with the command that goes on. */
+[[noreturn]] void endInterrupted(Arguments& arguments, const Run& run)
+{
+    const std::string& output = arguments.output.getValue();
+    const uint32_t next = *run.stoppedBefore;
+    std::map<std::string, std::string> values = {{"--resume", output},
+                                                 {"--from", std::to_string(next)}};
+    for (auto* file : {&arguments.trace, &arguments.timing})
+        if (file->isSet()) values["--" + file->getName()] = continued(file->getValue(), next);
+    throw apps::Interrupted("interrupted; the map of " + counted(run.frames, "frame") + " is in '" +
+                            output + "', go on with:\n" + arguments.commandWith(values));
 }
 
 int makeMap(Arguments& arguments)
@@ -231,16 +273,17 @@ int makeMap(Arguments& arguments)
         {input, RawlogFiles(input).sidecar.string(), arguments.poses.getValue(),
          arguments.config.getValue()});
 
-    const TimingLog timing = mapAndSave(arguments, *map);
+    const Run run = mapAndSave(arguments, *map);
+    if (arguments.timing.isSet())
+        writeAtomically(arguments.timing.getValue(),
+                        [&](std::ostream& out) { run.timing.writeCsv(out); });
+    if (run.stoppedBefore) endInterrupted(arguments, run);
     if (map->counts().framesWithoutPredictions == map->counts().frames)
         arguments.warn(
             "no frame has predictions, everything is unknown; "
             "they belong in the rawlog or in NAME.instances.rawlog beside it");
     if (arguments.exportDir.isSet()) exportAll(map->map(), arguments.exportDir.getValue());
-    if (arguments.timing.isSet())
-        writeAtomically(arguments.timing.getValue(),
-                        [&](std::ostream& out) { timing.writeCsv(out); });
-    printSummary(*map, timing);
+    printSummary(*map, run.timing);
     return 0;
 }
 

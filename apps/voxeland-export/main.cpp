@@ -2,6 +2,7 @@
 /** Writes a map in formats that other programs read. */
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/CategorySearch.h"
 #include "voxeland/io/GlbFile.h"
@@ -148,7 +149,7 @@ HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map, const L
     const double floor = floorHeight(map, frame);
     const auto& up = frame.axes()[2];
     arguments.note(
-        mrpt::format("heights are along (%.3f, %.3f, %.3f), from %.2f m", up.x, up.y, up.z, floor));
+        format("heights are along (%.3f, %.3f, %.3f), from %.2f m", up.x, up.y, up.z, floor));
     return {floor + heights.low, floor + heights.high};
 }
 

@@ -5,22 +5,25 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-#include <algorithm>
-
 using namespace mrpt::obs;
 
 namespace voxeland::apps
 {
 RawlogEntries::RawlogEntries(const std::string& file)
-    : m_rawlog(file), m_sidecar(RawlogFiles(file)), m_lastScan(mrpt::Clock::time_point::min())
+    : m_rawlog(file),
+      m_sidecar(
+          RawlogFiles(file), [](const auto&) { return true; }, [](uint32_t) {})
 {
     RawlogFiles(file).useImages();
 }
 
 std::optional<RawlogEntries::Entry> RawlogEntries::next()
 {
-    if (const auto predictions = m_sidecar.next(m_lastScan))
-        return Entry{nullptr, nullptr, predictions};
+    if (!m_predictions.empty()) {
+        Entry entry{nullptr, nullptr, m_predictions.front()};
+        m_predictions.pop_front();
+        return entry;
+    }
     CActionCollection::Ptr actions;
     while (const auto object = m_rawlog.readObject()) {
         ++m_objectsRead;
@@ -30,7 +33,8 @@ std::optional<RawlogEntries::Entry> RawlogEntries::next()
         }
         if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object)) {
             for (const auto& observation : *frame) meet(*observation);
-            while (const auto predictions = m_sidecar.next(m_lastScan)) frame->insert(predictions);
+            for (const auto& predictions : m_predictions) frame->insert(predictions);
+            m_predictions.clear();
             if (!actions) actions = CActionCollection::Create();
             return Entry{actions, frame, nullptr};
         }
@@ -41,7 +45,9 @@ std::optional<RawlogEntries::Entry> RawlogEntries::next()
 
 void RawlogEntries::meet(const CObservation& observation)
 {
-    if (dynamic_cast<const CObservation3DRangeScan*>(&observation) != nullptr)
-        m_lastScan = std::max(m_lastScan, observation.timestamp);
+    if (dynamic_cast<const CObservation3DRangeScan*>(&observation) == nullptr) return;
+    while (const auto predictions = m_sidecar.of(observation.timestamp, m_scans))
+        m_predictions.push_back(predictions);
+    ++m_scans;
 }
 }  // namespace voxeland::apps

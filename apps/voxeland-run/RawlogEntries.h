@@ -6,13 +6,14 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
+#include <deque>
 #include <optional>
 #include <string>
 
 namespace voxeland::apps
 {
 /** Reads a rawlog as MRPT's applications do, but with what lies beside it: predictions of the
- * sidecar come as if they were in the rawlog, after the first scan that is not earlier, and
+ * sidecar come as if they were in the rawlog, after their scan, and
  * external images are found. Unlike MRPT's own reading it does not take damage for the end. */
 class RawlogEntries
 {
@@ -38,12 +39,13 @@ class RawlogEntries
     [[nodiscard]] size_t objectsRead() const { return m_objectsRead; }
 
  private:
-    /** Has predictions up to the time of an observation come next, if it is a scan. */
+    /** Has the predictions of an observation come next, if it is a scan. */
     void meet(const mrpt::obs::CObservation& observation);
 
     GzInputFile m_rawlog;
     PredictionSidecar m_sidecar;
-    mrpt::Clock::time_point m_lastScan;  //!< time of the latest scan met
+    std::deque<CObservationInstances::Ptr> m_predictions;  //!< of the scans met, to come next
+    uint32_t m_scans = 0;
     size_t m_objectsRead = 0;
 };
 }  // namespace voxeland::apps

@@ -2,6 +2,7 @@
 #include "HttpPost.h"
 
 #include "ServerUrl.h"
+#include "voxeland/numbers.h"
 #include "voxeland/trimmed.h"
 
 #include <algorithm>
@@ -120,8 +121,7 @@ HttpReply post(const HttpRequest& request)
 std::optional<double> secondsToWait(const std::string& retryAfter)
 {
     if (retryAfter.empty()) return std::nullopt;
-    if (retryAfter.find_first_not_of("0123456789.") == std::string::npos)
-        return std::strtod(retryAfter.c_str(), nullptr);
+    if (const auto seconds = parsed<double>(retryAfter); seconds && *seconds >= 0) return seconds;
     const time_t then = curl_getdate(retryAfter.c_str(), nullptr);
     if (then == -1) return std::nullopt;
     return std::max(0.0, std::difftime(then, std::time(nullptr)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Makes a rawlog from a public RGB-D dataset. */
 #include "common/CommandLine.h"
+#include "common/PointArgument.h"
 #include "common/Progress.h"
 #include "voxeland/counted.h"
 #include "voxeland/datasets/CalibrationCheck.h"
@@ -19,7 +20,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 
 using namespace voxeland;
 namespace fs = std::filesystem;
@@ -169,13 +169,8 @@ PoseAxes parsePoseAxes(const std::string& name)
 std::optional<PinholeCamera> intrinsicsOf(TCLAP::ValueArg<std::string>& option)
 {
     if (!option.isSet()) return std::nullopt;
-    std::vector<double> numbers;
-    std::istringstream in(option.getValue());
-    for (std::string part; std::getline(in, part, ',');)
-        numbers.push_back(parsed<double>(trimmed(part)).value_or(NAN));
-    const bool finite = std::all_of(numbers.begin(), numbers.end(),
-                                    [](double number) { return std::isfinite(number); });
-    if (numbers.size() != 4 || !finite || numbers[0] <= 0 || numbers[1] <= 0)
+    const auto numbers = apps::numbersIn(option.getValue(), 4);
+    if (numbers.empty() || !(numbers[0] > 0) || !(numbers[1] > 0))
         throw ConfigurationError("--" + option.getName() + " '" + option.getValue() +
                                  "' is not four numbers like 525,525,319.5,239.5");
     return PinholeCamera{numbers[0], numbers[1], numbers[2], numbers[3], {}};

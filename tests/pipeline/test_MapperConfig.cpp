@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "support/GermanNumbers.h"
 #include "voxeland/errors.h"
 #include "voxeland/pipeline/MapperConfig.h"
 
@@ -53,6 +54,21 @@ TEST(MapperConfig, ItsTextReadsBack)
     EXPECT_EQ(again.map.resolution, 0.1);
     EXPECT_EQ(again.input.threads, 3u);
     EXPECT_TRUE(contains(again.text(), "CIoUAssociation"));
+}
+
+TEST(MapperConfig, NumbersAreReadAndPrintedAlikeInEveryLocale)
+{
+    const std::string ini =
+        "[map]\nresolution = $eval{0.05/2}\nprob_hit = 0.65\n"
+        "[refinement]\nevery = 12345\n";
+    const auto text = [&] { return MapperConfig(Ini::fromText(ini, "my.ini")).text(); };
+    const std::string classic = text();
+    EXPECT_TRUE(contains(classic, "resolution = 0.025\n"));
+    {
+        const test::GermanNumbers here;
+        EXPECT_EQ(text(), classic);
+        if (!here.isComplete()) GTEST_SKIP() << "C's functions: de_DE is not installed";
+    }
 }
 
 TEST(MapperConfig, WhatIsStoredWithAMapDoesNotDependOnThreads)

@@ -25,6 +25,26 @@ TEST(Ini, ReadsSectionsKeysAndValues)
     EXPECT_EQ(std::count(sections.begin(), sections.end(), "map"), 1);
 }
 
+TEST(Ini, AByteOrderMarkAndCarriageReturnsAreNoPartOfIt)
+{
+    const Ini ini = Ini::fromText(
+        "\xEF\xBB\xBF[map]\r\nresolution = 0.1\r\nprob_hit=\\\r\n0.6\r\n[association]\rclass = C\r",
+        "a text");
+    EXPECT_EQ(ini.value("map", "resolution"), "0.1");
+    EXPECT_EQ(ini.value("map", "prob_hit"), "0.6");
+    EXPECT_EQ(ini.value("association", "class"), "C");
+}
+
+TEST(Ini, WhatAnOptionSetIsNamedAsItsOrigin)
+{
+    Ini ini;
+    EXPECT_EQ(ini.origin(), "the defaults");
+    ini.set("map.resolution=0.1");
+    EXPECT_EQ(ini.origin(), "the defaults");
+    ini.set("map.foo=1", "--set");
+    EXPECT_EQ(ini.origin(), "--set map.foo=1");
+}
+
 TEST(Ini, KnowsItsFileAndFolder)
 {
     const test::TemporaryFolder folder;

@@ -2,10 +2,11 @@
 #include "PlyVertices.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/numbers.h"
+#include "voxeland/trimmed.h"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -117,7 +118,7 @@ class PlyReader
     {
         std::string line, word;
         std::getline(m_in, line);
-        if (line != "ply" && line != "ply\r") fail("is not a PLY file");
+        if (trimmed(line) != "ply") fail("is not a PLY file");
         while (std::getline(m_in, line)) {
             std::istringstream words(line);
             words >> word;
@@ -144,7 +145,10 @@ class PlyReader
     void readElement(std::istream& words)
     {
         Element e;
-        if (!(words >> e.name >> e.count)) fail("has a malformed element in its header");
+        words >> e.name >> m_word;
+        const auto count = parsed<size_t>(m_word);
+        if (!words || !count) fail("has a malformed element in its header");
+        e.count = *count;
         m_header.elements.push_back(std::move(e));
     }
 
@@ -205,9 +209,9 @@ class PlyReader
     double asciiNumber(Type type)
     {
         if (!(m_in >> m_word)) truncated();
-        char* end = nullptr;
-        const double value = std::strtod(m_word.c_str(), &end);
-        if (*end != '\0') fail("has '" + m_word + "' where a number is expected");
+        const auto number = parsed<double>(m_word);
+        if (!number) fail("has '" + m_word + "' where a number is expected");
+        const double value = *number;
         const bool integer = std::floor(value) == value && std::abs(value) <= UINT32_MAX;
         if (!isReal(type) && !integer)
             fail("has '" + m_word + "' where an integer of 32 bits is expected");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/DisambiguationReport.h"
 
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/counted.h"
 #include "voxeland/map/MapQueries.h"
 
@@ -14,7 +15,6 @@ namespace voxeland
 namespace
 {
 using json_t = nlohmann::ordered_json;
-using mrpt::format;
 
 /** The most probable category. */
 RankedCategory topOf(const SemanticVoxelMap& map, const Instance& instance)

@@ -2,6 +2,7 @@
 #include "voxeland/disambiguation/Prompt.h"
 
 #include "BuiltInPrompt.h"
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
 
 #include <mrpt/core/format.h>
@@ -51,9 +52,9 @@ std::string Prompt::words(const DisambiguationQuestion& question) const
 {
     std::string candidates, pictures;
     for (const RankedCategory& c : question.candidates)
-        candidates += mrpt::format("- %s: %.2f\n", c.name.c_str(), c.probability);
+        candidates += format("- %s: %.2f\n", c.name.c_str(), c.probability);
     for (size_t i = 0; i < question.pictures.size(); ++i)
-        pictures += mrpt::format("%zu. %s\n", i + 1, question.pictures[i].caption.c_str());
+        pictures += format("%zu. %s\n", i + 1, question.pictures[i].caption.c_str());
 
     const std::pair<std::string, std::string> values[] = {
         {"{candidates}", withoutLastBreak(candidates)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/Questions.h"
 
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/io/InstancePicture.h"
 
 #include <mrpt/core/format.h>
@@ -15,7 +16,7 @@ constexpr auto JPEG = "image/jpeg", PNG = "image/png";
 std::string caption(const CandidateView& v, const SemanticVoxelMap& map)
 {
     const auto ray = v.view.target - v.view.camera;
-    return mrpt::format(
+    return format(
         "Photograph in which a detector took the object for: %s (%.0f %%), from "
         "%.1f m%s",
         map.categories().name(v.category).c_str(), 100 * static_cast<double>(v.view.probability),
@@ -41,9 +42,9 @@ DisambiguationQuestion questionAbout(const UncertainInstance& instance, const Se
                                              static_cast<int>(options.picture_size * 3 / 4));
         if (!voxels.empty())
             question.pictures.push_back(
-                {mrpt::format("Reconstruction of the object's shape in voxels of %.0f cm: the "
-                              "object is orange, other objects bluish, the rest grey",
-                              100 * map.resolution()),
+                {format("Reconstruction of the object's shape in voxels of %.0f cm: the "
+                        "object is orange, other objects bluish, the rest grey",
+                        100 * map.resolution()),
                  PNG, std::move(voxels)});
     }
     question.prompt = prompt.words(question);

@@ -2,9 +2,11 @@
 #include "voxeland/evaluation/EvaluationReport.h"
 
 #include "voxeland/counted.h"
+#include "voxeland/numbers.h"
 
 #include <cmath>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 namespace voxeland
@@ -16,18 +18,12 @@ constexpr int NAME_WIDTH = 22, NUMBER_WIDTH = 7;
 /** A ratio in percent, or a dash. */
 std::string percent(double ratio)
 {
-    if (std::isnan(ratio)) return "-";
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << 100 * ratio;
-    return text.str();
+    return std::isnan(ratio) ? "-" : fixedText(100 * ratio, 1);
 }
 
 std::string decimal(double value)
 {
-    if (std::isnan(value)) return "-";
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(3) << value;
-    return text.str();
+    return std::isnan(value) ? "-" : fixedText(value, 3);
 }
 
 void writeRow(std::ostream& out, const std::string& name, const std::vector<std::string>& cells)
@@ -128,6 +124,7 @@ ClassMetrics EvaluationReport::sceneMean() const
 std::string EvaluationReport::text() const
 {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     writeProtocol(out, m_labels, m_protocol);
     for (size_t i = 0; i < m_scenes.size(); ++i) {
         const Pair& p = m_pairs[i];
@@ -152,6 +149,7 @@ std::string EvaluationReport::text() const
 std::string precisionCurveCsv(const std::vector<PrecisionAtThreshold>& curve)
 {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     out << "threshold_nat,precision,instances,correct\n";
     for (const PrecisionAtThreshold& p : curve) {
         out << p.threshold << ",";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/evaluation/EvaluationReport.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace voxeland
 {
@@ -44,13 +44,13 @@ class Plot
         for (int i = 0; i <= 5; ++i) {
             const double y = i / 5.0;
             cv::line(m_image, at(0, y), at(m_maxEntropy, y), GRID);
-            write(number("%.1f", y), at(0, y) + cv::Point(-12, 6), Align::right, BLACK);
-            write(number("%.0f", y * m_maxInstances), at(m_maxEntropy, y) + cv::Point(10, 6),
+            write(format("%.1f", y), at(0, y) + cv::Point(-12, 6), Align::right, BLACK);
+            write(format("%.0f", y * m_maxInstances), at(m_maxEntropy, y) + cv::Point(10, 6),
                   Align::left, BLACK);
         }
         const double step = m_maxEntropy > 1 ? 0.2 : (m_maxEntropy > 0.4 ? 0.1 : 0.05);
         for (int i = 0; i * step <= m_maxEntropy + 1e-9; ++i)
-            write(number("%.2f", i * step), at(i * step, 0) + cv::Point(0, 24), Align::center,
+            write(format("%.2f", i * step), at(i * step, 0) + cv::Point(0, 24), Align::center,
                   BLACK);
         cv::rectangle(m_image, AXES, BLACK, 1, cv::LINE_AA);
         write("instances with a category entropy below this [nat]",
@@ -77,7 +77,7 @@ class Plot
     {
         if (entropy > m_maxEntropy) return;
         cv::line(m_image, at(entropy, 0), at(entropy, 1), RED, 1, cv::LINE_AA);
-        write("suggested " + number("%.2f", entropy), at(entropy, 1) + cv::Point(0, -8),
+        write("suggested " + format("%.2f", entropy), at(entropy, 1) + cv::Point(0, -8),
               Align::center, RED);
     }
 
@@ -100,13 +100,6 @@ class Plot
     {
         return {AXES.x + static_cast<int>(std::lround(entropy / m_maxEntropy * AXES.width)),
                 AXES.y + static_cast<int>(std::lround((1 - height) * AXES.height))};
-    }
-
-    static std::string number(const char* format, double value)
-    {
-        char text[32];
-        std::snprintf(text, sizeof(text), format, value);
-        return text;
     }
 
     void write(const std::string& text, cv::Point position, Align align, const cv::Scalar& color)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/AnswersAsText.h"
 
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/counted.h"
 
 #include <mrpt/core/format.h>
 
 #include <algorithm>
-
-using mrpt::format;
 
 namespace voxeland
 {
@@ -46,8 +45,7 @@ std::string asText(const MapOverview& o)
         o.counts.frames, o.counts.framesWithoutPredictions, o.counts.framesWithoutPose);
     text += format("instances      %zu, from %s", o.instances,
                    counted(o.counts.opinions, "opinion").c_str());
-    if (o.dismissed > 0)
-        text += format("; %zu more count as unknown", o.dismissed);
+    if (o.dismissed > 0) text += format("; %zu more count as unknown", o.dismissed);
     text += "\n";
     for (const auto& [name, count] : o.categories)
         text += format("               %u %s\n", count, name.c_str());

@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <locale>
 #include <random>
 #include <sys/file.h>
 #include <unistd.h>
@@ -162,6 +163,7 @@ void writeAtomically(const std::string& file, const std::function<void(std::ostr
     errno = 0;
     std::ofstream out(target.part(), std::ios::binary | std::ios::trunc);
     if (!out) target.fail(errno);
+    out.imbue(std::locale::classic());  // numbers in files look alike everywhere
     try {
         out.exceptions(std::ios::badbit | std::ios::failbit);
         write(out);

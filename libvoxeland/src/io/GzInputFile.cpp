@@ -31,7 +31,9 @@ std::string reason(const std::string& what)
 GzInputFile::GzInputFile(const std::string& file) : m_name(file)
 {
     std::error_code error;
-    if (fs::is_directory(file, error)) throw InputError(file + " is a folder, not a file");
+    if (fs::is_directory(file, error))
+        throw InputError(
+            file + " is a folder, not a file: rgbd2rawlog makes a rawlog of a folder of images");
     m_file = gzopen(file.c_str(), "rb");
     if (!m_file) throw InputError("cannot open " + file + ": " + std::strerror(errno));
     m_fileSize = fs::file_size(file, error);

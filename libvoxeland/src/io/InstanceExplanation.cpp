@@ -2,14 +2,13 @@
 #include "voxeland/io/InstanceExplanation.h"
 
 #include "JsonValues.h"
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/counted.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/system/datetime.h>
 
 #include <algorithm>
-
-using mrpt::format;
 
 namespace voxeland
 {

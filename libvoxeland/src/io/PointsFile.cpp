@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/PointsFile.h"
 
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/CategorySearch.h"
@@ -76,6 +77,7 @@ size_t exportPoints(const SemanticVoxelMap& map, const PointsFilter& filter,
         throw ConfigurationError("'" + file + "' must end in .txt, .metricmap or .3Dscene");
     const CSimplePointsMap points = pointsOf(map, filter);
     AtomicFile output(file);
+    const ClassicNumbers inText;
     if (ending == ".metricmap")
         writeSerialized(points, output.part());
     else if (!(ending == ".txt" ? points.save3D_to_text_file(output.part())

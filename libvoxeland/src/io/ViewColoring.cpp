@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewColoring.h"
 
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/map/MapQueries.h"
 
 #include <mrpt/core/format.h>
@@ -31,8 +32,7 @@ ViewColoring byInstance(const SemanticVoxelMap& map, const VoxelScene& scene)
     for (const SceneVoxel& v : scene.voxels()) coloring.colors.push_back(palette.at(v.winner));
     for (const InstanceSummary& s : bySize(map)) {
         coloring.legend.push_back(
-            {palette.at(s.id),
-             mrpt::format("%u %s %.2f", s.id, s.category().c_str(), s.probability())});
+            {palette.at(s.id), format("%u %s %.2f", s.id, s.category().c_str(), s.probability())});
         if (s.voxels >= LABELLED)
             coloring.labels.push_back({scene.toLevel(s.centroid), std::to_string(s.id)});
     }
@@ -58,7 +58,7 @@ ViewColoring byCategory(const SemanticVoxelMap& map, const VoxelScene& scene)
         coloring.colors.push_back(at == categoryOf.end() ? UNKNOWN_COLOR : palette.at(at->second));
     }
     for (const auto& [name, color] : palette)
-        coloring.legend.push_back({color, mrpt::format("%s (%u)", name.c_str(), counts[name])});
+        coloring.legend.push_back({color, format("%s (%u)", name.c_str(), counts[name])});
     coloring.legend.push_back({UNKNOWN_COLOR, UNKNOWN_CATEGORY});
     return coloring;
 }

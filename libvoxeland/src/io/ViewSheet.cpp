@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewSheet.h"
 
+#include "voxeland/ClassicNumbers.h"
+
 #include <mrpt/core/format.h>
 #include <opencv2/imgproc.hpp>
 
@@ -86,7 +88,7 @@ void ViewSheet::drawScale(float pixelsPerMetre)
         left + cv::Point(static_cast<int>(metres * static_cast<double>(pixelsPerMetre)), 0);
     cv::line(m_image, left, right, WHITE, scaled(m_unit, 9));
     cv::line(m_image, left, right, BLACK, scaled(m_unit, 5));
-    write(mrpt::format("%g m", metres), left - cv::Point(0, scaled(m_unit, 10)), 1.1, true);
+    write(format("%g m", metres), left - cv::Point(0, scaled(m_unit, 10)), 1.1, true);
 }
 
 void ViewSheet::drawAxes(const VoxelScene& scene, const ViewCamera& camera)
@@ -113,8 +115,7 @@ int ViewSheet::drawBar(double maximum, int row)
     constexpr int TICKS = 4;
     for (int i = 0; i <= TICKS; ++i) {
         const double share = static_cast<double>(i) / TICKS;
-        const std::string text =
-            mrpt::format("%s%.2f nat", i == TICKS ? ">= " : "", share * maximum);
+        const std::string text = format("%s%.2f nat", i == TICKS ? ">= " : "", share * maximum);
         write(text, {left + width + scaled(m_unit, 10),
                      row + scaled(m_unit, 6) + static_cast<int>((1 - share) * height)});
     }
@@ -146,6 +147,6 @@ void ViewSheet::drawLegend(const ViewColoring& coloring)
         write(entries[i].text, placeOf(i) + toText, 0.9);
     }
     if (tooMany)
-        write(mrpt::format("and %zu more", entries.size() - shown), placeOf(shown) + toText, 0.9);
+        write(format("and %zu more", entries.size() - shown), placeOf(shown) + toText, 0.9);
 }
 }  // namespace voxeland

@@ -7,6 +7,7 @@
 #include "voxeland/io/MapScene.h"
 #include "voxeland/io/UpDirection.h"
 #include "voxeland/metric_map/MapFile.h"
+#include "voxeland/numbers.h"
 
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -156,7 +157,8 @@ std::string CVoxelandMap::asString() const
     std::ostringstream text;
     text << "voxeland map: evidence for " << counted(m_map->instances().size(), "instance")
          << " of " << counted(m_map->categories().size(), "category", "categories") << ", "
-         << counted(m_counts.frames, "frame") << ", voxels of " << m_map->resolution() << " m";
+         << counted(m_counts.frames, "frame") << ", voxels of " << numberText(m_map->resolution())
+         << " m";
     return text.str();
 }
 

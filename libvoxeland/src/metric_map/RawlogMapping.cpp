@@ -14,7 +14,7 @@ namespace
 {
 void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
 {
-    if (mapped) return;
+    if (mapped || source.stoppedBefore()) return;
     if (source.framesMet() == 0)
         throw NothingToMapError(
             "the rawlog holds no CObservation3DRangeScan of the sensor to map: check "
@@ -88,7 +88,7 @@ MappedInput mapRawlog(
     }
     if (!mapped && met.leftOut.count() > 0) failWithoutFrames(met.leftOut, unreadable);
     checkSomethingMapped(source, mapped);
-    checkDepths(met.depths, map.mapper().config().input.depth);
+    if (mapped) checkDepths(met.depths, map.mapper().config().input.depth);
     map.addSkipped(source.skipped());
     return met;
 }

@@ -18,6 +18,7 @@ namespace voxeland
 namespace
 {
 constexpr double MILLISECONDS = 1e3;
+constexpr int DECIMALS = 4;  // of a millisecond: no clock is finer in practice
 
 void printRow(std::ostream& out, const char* name, std::vector<double> seconds)
 {
@@ -26,9 +27,10 @@ void printRow(std::ostream& out, const char* name, std::vector<double> seconds)
     std::nth_element(seconds.begin(), middle, seconds.end());
     const double mean =
         std::accumulate(seconds.begin(), seconds.end(), 0.0) / static_cast<double>(seconds.size());
-    out << "  " << std::left << std::setw(14) << name << std::right << std::fixed
-        << std::setprecision(3) << std::setw(9) << *middle * MILLISECONDS << std::setw(9)
-        << mean * MILLISECONDS << std::setw(9) << seconds.size() << "\n";
+    out << "  " << std::left << std::setw(14) << name << std::right;
+    for (const double value : {*middle, mean})
+        out << std::setw(9) << fixedText(value * MILLISECONDS, 3);
+    out << std::setw(9) << std::to_string(seconds.size()) << "\n";
 }
 
 std::vector<std::string> csvHeader()
@@ -69,8 +71,9 @@ void TimingLog::writeCsv(std::ostream& out) const
 {
     out << joined(csvHeader(), ",") << "\n";
     for (size_t f = 0; f < m_frames.size(); ++f) {
-        out << f;
-        for (const double seconds : m_frames[f]) out << "," << seconds * MILLISECONDS;
+        out << std::to_string(f);
+        for (const double seconds : m_frames[f])
+            out << "," << fixedText(seconds * MILLISECONDS, DECIMALS);
         out << "\n";
     }
 }

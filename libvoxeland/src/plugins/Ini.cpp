@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/plugins/Ini.h"
 
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
 #include "voxeland/trimmed.h"
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace voxeland
@@ -16,6 +18,20 @@ namespace
 std::string firstLine(const std::string& text)
 {
     return text.substr(0, text.find('\n'));
+}
+
+/** A text without the byte order mark before it, with '\n' at the end of each line. */
+std::string plainLines(std::string text)
+{
+    constexpr std::string_view MARK = "\xEF\xBB\xBF";
+    if (text.compare(0, MARK.size(), MARK) == 0) text.erase(0, MARK.size());
+    std::string plain;
+    for (size_t i = 0; i < text.size(); ++i)
+        if (text[i] != '\r')
+            plain += text[i];
+        else if (i + 1 == text.size() || text[i + 1] != '\n')
+            plain += '\n';
+    return plain;
 }
 
 /** MRPT's parser passes over what it does not understand; this does not. */
@@ -53,11 +69,13 @@ Ini Ini::fromFile(const std::string& file)
 
 Ini Ini::fromText(const std::string& text, const std::string& origin)
 {
-    checkLines(text, origin);
+    const std::string plain = plainLines(text);
+    checkLines(plain, origin);
     Ini ini;
     ini.m_origin = origin;
+    const ClassicNumbers expressions;  // of MRPT's $eval{}
     try {
-        ini.m_content.setContent(text);
+        ini.m_content.setContent(plain);
     } catch (const std::exception& e) {
         throw ConfigurationError("'" + origin + "' is not a valid INI: " + firstLine(e.what()));
     }
@@ -77,19 +95,28 @@ void Ini::setFromPrefixedSections(const mrpt::config::CConfigFileBase& source,
     }
 }
 
+std::string Ini::origin() const
+{
+    std::string origin = m_origin;
+    for (const std::string& option : m_options) origin += (origin.empty() ? "" : ", ") + option;
+    return origin.empty() ? "the defaults" : origin;
+}
+
 std::string Ini::text() const
 {
     return m_content.getContent();
 }
 
-void Ini::set(const std::string& assignment)
+void Ini::set(const std::string& assignment, const std::string& option)
 {
     const size_t equals = assignment.find('=');
     const size_t dot = assignment.find('.');
     if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals)
-        throw ConfigurationError("'" + assignment + "' is not of the form section.key=value");
+        throw ConfigurationError((option.empty() ? "" : option + " ") + "'" + assignment +
+                                 "' is not of the form section.key=value");
     m_content.write(assignment.substr(0, dot), assignment.substr(dot + 1, equals - dot - 1),
                     assignment.substr(equals + 1));
+    if (!option.empty()) m_options.push_back(option + " " + assignment);
 }
 
 std::vector<std::string> Ini::sections() const

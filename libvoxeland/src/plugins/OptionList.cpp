@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/plugins/OptionList.h"
 
+#include "voxeland/numbers.h"
 #include "voxeland/plugins/Ini.h"
+#include "voxeland/trimmed.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <numeric>
 #include <ostream>
-#include <sstream>
 
 namespace voxeland
 {
@@ -21,17 +21,6 @@ std::string lowerCase(std::string text)
     std::transform(text.begin(), text.end(), text.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
-}
-
-/** Shortest text that reads back as the same number. */
-std::string numberText(double value)
-{
-    for (int digits = 6; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
-        std::ostringstream text;
-        text << std::setprecision(digits) << value;
-        if (std::stod(text.str()) == value) return text.str();
-    }
-    return std::to_string(value);
 }
 
 /** Number of single-character edits between two words (Levenshtein). */
@@ -104,9 +93,8 @@ void OptionList::addNumber(const std::string& key, Number& variable, const Range
     addText(
         key, [&variable] { return numberText(static_cast<double>(variable)); },
         [&variable, range](const std::string& text) -> std::string {
-            double value = 0;
-            std::istringstream in(text);
-            if (!(in >> value) || !(in >> std::ws).eof()) return "is not a number";
+            const double value = parsed<double>(trimmed(text)).value_or(NAN);
+            if (!std::isfinite(value)) return "is not a number";
             if (std::numeric_limits<Number>::is_integer && value != std::floor(value))
                 return "is not a whole number";
             if (!(value >= range.least && value <= range.most))

@@ -18,6 +18,9 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace mrpt::obs;
 
 namespace voxeland
@@ -54,7 +57,8 @@ RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions
       m_sidecar(
           RawlogFiles(file), [this](const auto& p) { return isOfTheDetector(p); },
           [this](uint32_t laterFrame) { countWithoutFrame(laterFrame); }),
-      m_assembler(options.prediction_wait, options.max_pose_gap, strict)
+      m_assembler(options.prediction_wait, options.max_pose_gap, strict),
+      m_lastAskedFor(range.to)
 {
     const std::string& source = options.pose_source;
     const std::string problem = problemOfPoseSource(source);
@@ -78,6 +82,7 @@ std::optional<RgbdFrame> RawlogFrameSource::next()
         if (m_finished) return std::nullopt;
         if (m_beyondRange || !readOn()) {
             m_finished = true;
+            finishStopping();
             m_sidecar.finish(m_framesMet, m_framesMet <= m_range.to);
             m_assembler.finish();
         }
@@ -124,13 +129,12 @@ std::string RawlogFrameSource::whyNoPoses() const
            numberText(m_options.max_pose_gap) + " s)";
 }
 
-double RawlogFrameSource::progress() const
-{
-    return m_input->progress();
-}
-
 bool RawlogFrameSource::readOn()
 {
+    if (m_simplemap && m_nextKeyframe < m_simplemap->size()) {
+        takeKeyframe(m_nextKeyframe++);
+        return true;
+    }
     const auto object = m_input->readObject();
     if (!object) return false;
     take(object);
@@ -151,10 +155,23 @@ void RawlogFrameSource::take(const mrpt::serialization::CSerializable::Ptr& obje
         // The keyframes' poses hold, not those that a sensor told when the simplemap was made.
         std::string& source = m_options.pose_source;
         if (!isTumPoseSource(source)) source = SIMPLEMAP_POSES;
-        for (const auto& keyframe : *map) {
-            m_framePose = {keyframe.pose->getMeanVal().asTPose(), covarianceOf(*keyframe.pose)};
-            for (const auto& o : *keyframe.sf) takeObservation(o);
-        }
+        m_simplemap = map;
+        m_nextKeyframe = 0;
+    } else if (std::string_view(object->GetRuntimeClass()->className) == "voxeland::CVoxelandMap") {
+        throw InputError(m_file +
+                         " is a map, not a rawlog: give the rawlog (to go on with a map: "
+                         "--resume)");
+    }
+}
+
+void RawlogFrameSource::takeKeyframe(size_t index)
+{
+    mrpt::poses::CPose3DPDF::Ptr pose;
+    CSensoryFrame::Ptr observations;
+    m_simplemap->get(index, pose, observations);
+    m_framePose = {pose->getMeanVal().asTPose(), covarianceOf(*pose)};
+    for (const auto& o : *observations) {
+        takeObservation(o);
     }
 }
 
@@ -184,8 +201,11 @@ void RawlogFrameSource::takeScan(const CObservation::Ptr& observation)
 {
     if (!m_cameras.takes(observation->sensorLabel)) return;
     const uint32_t number = m_framesMet++;
+    if (!m_stoppedBefore && m_stopWanted()) stopBehind(number);
     // Poses and predictions of the last frames may come as late as for any other frame.
-    m_beyondRange = number > m_range.to && number - m_range.to >= m_options.prediction_wait;
+    m_beyondRange = (number > m_range.to && number - m_range.to >= m_options.prediction_wait) ||
+                    m_range.to < m_range.from;
+    estimateFrames();
     CObservationInstances::Ptr predictions;
     if (number <= m_range.to) predictions = m_sidecar.of(observation->timestamp, number);
     if (!isWanted(number)) {
@@ -203,6 +223,39 @@ bool RawlogFrameSource::isWanted(uint32_t number) const
 {
     return number >= m_range.from && number <= m_range.to &&
            (number - m_range.from) % m_range.every == 0;
+}
+
+uint32_t RawlogFrameSource::nextWanted(uint32_t number) const
+{
+    const auto& [from, to, every] = m_range;
+    return number < from ? from : from + ((number - from) / every + 1) * every;
+}
+
+void RawlogFrameSource::stopBehind(uint32_t number)
+{
+    const uint32_t next = nextWanted(number);
+    if (next > m_range.to) return;
+    m_stoppedBefore = next;
+    m_range.to = next - 1;
+}
+
+void RawlogFrameSource::finishStopping()
+{
+    if (!m_stoppedBefore || *m_stoppedBefore < m_framesMet || m_beyondRange) return;
+    m_stoppedBefore.reset();
+    m_range.to = m_lastAskedFor;
+}
+
+void RawlogFrameSource::estimateFrames()
+{
+    const double share =
+        m_simplemap ? static_cast<double>(m_nextKeyframe) / static_cast<double>(m_simplemap->size())
+                    : m_input->progress();
+    const double inFile = m_framesMet / std::clamp(share, 1e-6, 1.0);
+    const double end = std::min(inFile, m_range.to + 1.0);
+    const double used = std::ceil((end - m_range.from) / m_range.every);
+    const double withoutPose = m_assembler.counts().framesWithoutPose;
+    m_expectedFrames = static_cast<uint32_t>(std::clamp(used - withoutPose, 1.0, 4e9));
 }
 
 void RawlogFrameSource::countWithoutFrame(uint32_t laterFrame)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportData.h"
 
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/Colors.h"
 #include "voxeland/io/MapAnswers.h"
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <limits>
 
-using mrpt::format;
 using nlohmann::json;
 
 namespace voxeland

@@ -2,6 +2,7 @@
 #include "voxeland/simulation/GroundTruth.h"
 
 #include "voxeland/io/AtomicFile.h"
+#include "voxeland/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,8 @@ void GroundTruth::save(const std::string& folder) const
     for (const auto& object : m_scene.objects()) {
         const Vector3 c = object.bounds.center(), s = object.bounds.size();
         csv += std::to_string(object.id) + "," + object.category;
-        for (const float value : {c.x, c.y, c.z, s.x, s.y, s.z}) csv += "," + std::to_string(value);
+        for (const float value : {c.x, c.y, c.z, s.x, s.y, s.z})
+            csv += "," + fixedText(static_cast<double>(value), 6);
         csv += "," + std::to_string(counts[object.id]) + "\n";
     }
     writeAtomically(folder + "/objects.csv", csv);

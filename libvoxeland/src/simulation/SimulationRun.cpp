@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/simulation/SimulationRun.h"
 
+#include "voxeland/ClassicNumbers.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/OutputFolder.h"
 #include "voxeland/simulation/GroundTruth.h"
@@ -10,7 +11,6 @@
 #include <mrpt/poses/CPose3D.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <deque>
 #include <future>
 #include <optional>
@@ -53,11 +53,9 @@ std::string tumLine(const SimulatedFrame& frame)
     mrpt::math::CQuaternionDouble q;
     mrpt::poses::CPose3D(frame.robotPose).getAsQuaternion(q);
     const auto& p = frame.robotPose;
-    char line[200];
-    std::snprintf(line, sizeof(line), "%.6f %.6f %.6f %.6f %.8f %.8f %.8f %.8f\n",
+    return format("%.6f %.6f %.6f %.6f %.8f %.8f %.8f %.8f\n",
                   mrpt::Clock::toDouble(frame.timestamp), p.x, p.y, p.z, q.x(), q.y(), q.z(),
                   q.r());
-    return line;
 }
 }  // namespace
 

@@ -23,8 +23,8 @@ struct MappedInput
  *  \param onFrame called after each frame with its timestamp and stage times
  *  \param strict such a frame is an error instead
  *  \throws InputError as RawlogFrameSource and SemanticMapper do, and if no frame is usable;
- *  NothingToMapError if there is no frame with a pose, or none with a depth within the limits. The
- * map then holds the frames before. */
+ *  NothingToMapError if there is no frame with a pose, unless the source was stopped before it, or
+ *  none with a depth within the limits. The map then holds the frames before. */
 MappedInput mapRawlog(
     RawlogFrameSource& source, CVoxelandMap& map,
     const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame,

@@ -24,11 +24,12 @@ class Ini
                                  const std::string& prefix, const std::vector<std::string>& names);
 
     /** Applies `section.key=value`, as given on a command line.
+     *  \param option by which it was given, for messages; empty: by none
      *  \throws ConfigurationError if the text has another form */
-    void set(const std::string& assignment);
+    void set(const std::string& assignment, const std::string& option = "");
 
-    /** What to call this INI in messages. */
-    [[nodiscard]] const std::string& origin() const { return m_origin; }
+    /** What to call this INI in messages: its file, and what options of a command line set. */
+    [[nodiscard]] std::string origin() const;
     /** Folder of the file, absolute; empty if it did not come from one. */
     [[nodiscard]] const std::string& folder() const { return m_folder; }
     /** Everything as text. */
@@ -40,6 +41,7 @@ class Ini
 
  private:
     mrpt::config::CConfigFileMemory m_content;
-    std::string m_origin = "the defaults", m_folder;
+    std::string m_origin, m_folder;      //!< empty: all defaults, no file
+    std::vector<std::string> m_options;  //!< with what they set
 };
 }  // namespace voxeland

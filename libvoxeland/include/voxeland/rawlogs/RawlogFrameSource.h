@@ -5,6 +5,8 @@
 #include "voxeland/rawlogs/LabelChoice.h"
 #include "voxeland/rawlogs/PredictionSidecar.h"
 
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +15,10 @@
 namespace mrpt::obs
 {
 class CObservation;
+}
+namespace mrpt::maps
+{
+class CSimpleMap;
 }
 namespace mrpt::serialization
 {
@@ -49,8 +55,16 @@ class RawlogFrameSource
      *  \throws InputError, naming the file, if it is cut off or damaged */
     std::optional<RgbdFrame> next();
 
-    /** Share of the file read so far, in [0,1]. */
-    [[nodiscard]] double progress() const;
+    /** Lets the source end early, as if the range ended there, once `wanted` says so. It is asked
+     * at each frame by the thread that calls next(). */
+    void stopWhen(std::function<bool()> wanted) { m_stopWanted = std::move(wanted); }
+    /** First frame of the range that was left out because of that; none if there is none. A range
+     * from there gives what is missing. */
+    [[nodiscard]] std::optional<uint32_t> stoppedBefore() const { return m_stoppedBefore; }
+
+    /** How many frames next() will probably have given at the end, judged by the share of the file
+     * that those met so far took; 0 before the first. From any thread. */
+    [[nodiscard]] uint32_t expectedFrames() const { return m_expectedFrames; }
     /** RGB-D frames met so far, whether used or not. */
     [[nodiscard]] uint32_t framesMet() const { return m_framesMet; }
     /** What of the range could not be used. */
@@ -66,12 +80,20 @@ class RawlogFrameSource
     void take(const std::shared_ptr<mrpt::serialization::CSerializable>& object);
     void takeObservation(const std::shared_ptr<mrpt::obs::CObservation>& observation);
     void takeScan(const std::shared_ptr<mrpt::obs::CObservation>& observation);
+    void takeKeyframe(size_t index);
     /** Whether a frame of this number is not left out on purpose. */
     [[nodiscard]] bool isWanted(uint32_t number) const;
     /** Predictions between two frames belong to none; which part of a run cut in several counts
      * them is decided by the later frame. */
     void countWithoutFrame(uint32_t laterFrame);
     bool isOfTheDetector(const CObservationInstances& predictions);
+    /** The first frame behind this one that is not. */
+    [[nodiscard]] uint32_t nextWanted(uint32_t number) const;
+    /** Ends the range behind this frame if that is wanted. */
+    void stopBehind(uint32_t number);
+    /** Forgets that the range was to end, where the file did before. */
+    void finishStopping();
+    void estimateFrames();
 
     std::string m_file;
     InputOptions m_options;
@@ -82,6 +104,12 @@ class RawlogFrameSource
     FrameAssembler m_assembler;
     RobotPose m_framePose{};  //!< of a sensory frame: where the actions so far have led, or the
                               //!< keyframe's
+    std::shared_ptr<mrpt::maps::CSimpleMap> m_simplemap;  //!< whose keyframes are being read
+    size_t m_nextKeyframe = 0;
+    std::function<bool()> m_stopWanted = [] { return false; };
+    std::optional<uint32_t> m_stoppedBefore;
+    uint32_t m_lastAskedFor;  //!< FrameRange::to, as it was before a stop
+    std::atomic<uint32_t> m_expectedFrames = 0;
     uint32_t m_framesMet = 0;
     std::vector<std::string> m_trajectoryNotes;
     uint32_t m_sidecarWithoutFrame =
