@@ -17,6 +17,7 @@
 #include "voxeland/io/PointsFile.h"
 #include "voxeland/io/SmallInstances.h"
 #include "voxeland/io/UpDirection.h"
+#include "voxeland/joined.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 
@@ -140,6 +141,29 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<std::string> map{"m", "map", "Map to read", true, "", "MAP.voxeland", parser()};
 };
 
+/** Tries to write one format after another: what one of them cannot hold keeps none of the others
+ *  from being written. */
+class Attempts
+{
+ public:
+    void attempt(const std::function<void()>& write)
+    {
+        try {
+            write();
+        } catch (const ConfigurationError& e) {
+            m_refusals.emplace_back(e.what());
+        }
+    }
+    /** \throws ConfigurationError that tells what was refused, if anything was */
+    void finish() const
+    {
+        if (!m_refusals.empty()) throw ConfigurationError(joined(m_refusals, "; "));
+    }
+
+ private:
+    std::vector<std::string> m_refusals;
+};
+
 /** Heights asked for, or else these, in the level frame. Says on stderr where they are. */
 HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame,
                       HeightRange heights)
@@ -148,8 +172,8 @@ HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map, const L
         heights = apps::parseHeights("height", arguments.height.getValue());
     const double floor = floorHeight(map, frame);
     const auto& up = frame.axes()[2];
-    arguments.note(
-        format("heights are along (%.3f, %.3f, %.3f), from %.2f m", up.x, up.y, up.z, floor));
+    arguments.note(format("heights are along (%.3f, %.3f, %.3f), from %.2f m", up.x, up.y, up.z,
+                          floor + map.origin().z));
     return {floor + heights.low, floor + heights.high};
 }
 
@@ -171,20 +195,24 @@ void writePly(Arguments& arguments, const SemanticVoxelMap& map)
             written(file);
 }
 
-void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
+void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame,
+                Attempts& attempts)
 {
     if (!arguments.gridmap.isSet() && !arguments.rosMap.isSet()) return;
-    const HeightSlice slice = sliceOf(map, frame, heightsOf(arguments, map, frame, {0.1, 1.8}));
-    if (arguments.gridmap.isSet()) {
-        exportGridmap(slice, arguments.gridmap.getValue());
-        written(arguments.gridmap.getValue());
-    }
-    if (arguments.rosMap.isSet()) {
-        const std::string& yaml = arguments.rosMap.getValue();
-        exportRosMap(slice, yaml);
-        written(rosImageOf(yaml));
-        written(yaml);
-    }
+    const HeightSlice slice =
+        inWorld(sliceOf(map, frame, heightsOf(arguments, map, frame, {0.1, 1.8})), map);
+    if (arguments.gridmap.isSet())
+        attempts.attempt([&] {
+            exportGridmap(slice, arguments.gridmap.getValue());
+            written(arguments.gridmap.getValue());
+        });
+    if (arguments.rosMap.isSet())
+        attempts.attempt([&] {
+            const std::string& yaml = arguments.rosMap.getValue();
+            exportRosMap(slice, yaml);
+            written(rosImageOf(yaml));
+            written(yaml);
+        });
 }
 
 /** Whether any object is of a category, or that is *unknown*. */
@@ -215,29 +243,39 @@ void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelF
 }
 
 /** An output that is one file. */
-void writeFile(TCLAP::ValueArg<std::string>& output,
+void writeFile(TCLAP::ValueArg<std::string>& output, Attempts& attempts,
                const std::function<void(const std::string&)>& write)
 {
     if (!output.isSet()) return;
-    write(output.getValue());
-    written(output.getValue());
+    attempts.attempt([&] {
+        write(output.getValue());
+        written(output.getValue());
+    });
 }
 
 void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
 {
-    writePly(arguments, map);
-    writeFile(arguments.json, [&](const std::string& file) { exportJson(map, frame, file); });
-    writeFile(arguments.csv, [&](const std::string& file) { exportCsv(map, frame, file); });
-    writeFile(arguments.glb, [&](const std::string& file) { exportGlb(map, frame, file); });
-    writeFile(arguments.scene, [&](const std::string& file) { exportScene(map, frame, file); });
-    writeFile(arguments.octomap, [&](const std::string& file) { exportOctoMap(map, file); });
-    writeGrids(arguments, map, frame);
-    if (arguments.points.isSet()) writePoints(arguments, map, frame);
-    if (!arguments.pngDir.isSet()) return;
-    ViewOptions views;
-    views.up = frame.axes()[2];
-    for (const std::string& file : exportViews(map, arguments.pngDir.getValue(), views))
-        written(file);
+    Attempts attempts;
+    attempts.attempt([&] { writePly(arguments, map); });
+    writeFile(arguments.json, attempts,
+              [&](const std::string& file) { exportJson(map, frame, file); });
+    writeFile(arguments.csv, attempts,
+              [&](const std::string& file) { exportCsv(map, frame, file); });
+    writeFile(arguments.glb, attempts,
+              [&](const std::string& file) { exportGlb(map, frame, file); });
+    writeFile(arguments.scene, attempts,
+              [&](const std::string& file) { exportScene(map, frame, file); });
+    writeFile(arguments.octomap, attempts,
+              [&](const std::string& file) { exportOctoMap(map, file); });
+    attempts.attempt([&] { writeGrids(arguments, map, frame, attempts); });
+    if (arguments.points.isSet()) attempts.attempt([&] { writePoints(arguments, map, frame); });
+    if (arguments.pngDir.isSet()) {
+        ViewOptions views;
+        views.up = frame.axes()[2];
+        for (const std::string& file : exportViews(map, arguments.pngDir.getValue(), views))
+            written(file);
+    }
+    attempts.finish();
 }
 
 /** Complains about a file named like one of another format; any other name will do. Where the

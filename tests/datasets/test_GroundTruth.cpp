@@ -84,8 +84,8 @@ TEST(PlyGroundTruth, readsBinaryInAnyOrderAndSkipsTheRest)
            raw(uint8_t{0}) + raw(2.F);
     const GroundTruth gt = read(ply);
     ASSERT_EQ(gt.points.size(), 2U);
-    EXPECT_EQ(gt.points[0], mrpt::math::TPoint3Df(0.25F, -0.5F, 1.5F));
-    EXPECT_EQ(gt.points[1], mrpt::math::TPoint3Df(1, 2, -1e-3F));
+    EXPECT_EQ(gt.points[0], mrpt::math::TPoint3D(0.25, -0.5, 1.5));
+    EXPECT_EQ(gt.points[1], mrpt::math::TPoint3D(1, 2, -1e-3));
     EXPECT_EQ(gt.instance, (std::vector<uint32_t>{300, 0})) << "negative: none";
     EXPECT_EQ(gt.names.at(gt.category[0]), "chair");
 }

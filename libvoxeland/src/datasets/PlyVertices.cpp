@@ -266,12 +266,12 @@ std::vector<std::vector<double>> readPlyVertices(const std::string& file,
     return PlyReader(file).read(columns);
 }
 
-std::vector<mrpt::math::TPoint3Df> pointsOf(const std::vector<std::vector<double>>& columns,
-                                            const std::string& file)
+std::vector<mrpt::math::TPoint3D> pointsOf(const std::vector<std::vector<double>>& columns,
+                                           const std::string& file)
 {
     const size_t n = columns[0].size();
     if (n == 0) throw InputError(file + " holds no vertices.");
-    std::vector<mrpt::math::TPoint3Df> points;
+    std::vector<mrpt::math::TPoint3D> points;
     points.reserve(n);
     for (size_t i = 0; i < n; ++i) {
         const mrpt::math::TPoint3D p(columns[0][i], columns[1][i], columns[2][i]);

@@ -31,6 +31,6 @@ std::vector<std::vector<double>> readPlyVertices(const std::string& file,
 
 /** Points from what readPlyVertices() gave, its first three columns being x, y and z.
  *  \throws InputError, naming the file, if there is none, or one is not finite */
-std::vector<mrpt::math::TPoint3Df> pointsOf(const std::vector<std::vector<double>>& columns,
-                                            const std::string& file);
+std::vector<mrpt::math::TPoint3D> pointsOf(const std::vector<std::vector<double>>& columns,
+                                           const std::string& file);
 }  // namespace voxeland

@@ -20,9 +20,9 @@ const VoxelEvidence* PointMatching::occupied(const VoxelCoord& v) const
     return block->evidence(cellOf(v));
 }
 
-const VoxelEvidence* PointMatching::find(const mrpt::math::TPoint3Df& point) const
+const VoxelEvidence* PointMatching::find(const mrpt::math::TPoint3D& point) const
 {
-    const mrpt::math::TPoint3D p(point);
+    const mrpt::math::TPoint3D p = m_map.inMap(point);
     const double reachable = (MAX_VOXEL_COORD - m_reach - 1) * m_map.resolution();
     if (!(std::abs(p.x) < reachable && std::abs(p.y) < reachable && std::abs(p.z) < reachable))
         return nullptr;

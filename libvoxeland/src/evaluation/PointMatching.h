@@ -17,7 +17,7 @@ class PointMatching
     /** Evidence of the occupied surface voxel that contains a point; where there is none, of the
      *  nearest one whose centre is within the radius (among equally near ones, the first by
      *  VoxelCoord's order); null if there is none either. \param p world frame [m] */
-    [[nodiscard]] const VoxelEvidence* find(const mrpt::math::TPoint3Df& p) const;
+    [[nodiscard]] const VoxelEvidence* find(const mrpt::math::TPoint3D& p) const;
 
  private:
     [[nodiscard]] const VoxelEvidence* occupied(const VoxelCoord& v) const;

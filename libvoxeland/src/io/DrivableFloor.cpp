@@ -80,8 +80,10 @@ bool DrivableFloor::sees(const TPoint2D& from, const OrientedBox& box) const
     return !hidden;
 }
 
-std::vector<TPose2D> DrivableFloor::posesFacing(const OrientedBox& box) const
+std::vector<TPose2D> DrivableFloor::posesFacing(const OrientedBox& boxInWorld) const
 {
+    OrientedBox box = boxInWorld;
+    box.center = m_map.inMap(box.center);
     const TPoint3D middle = m_frame.toLevel(box.center);
     std::vector<TPose2D> poses;
     for (int i = 0; i < DIRECTIONS; ++i) {

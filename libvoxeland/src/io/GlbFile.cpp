@@ -98,15 +98,17 @@ double linear(uint8_t channel)
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-/** The rotation from the map's frame to one whose y axis is up, column by column. */
-json_t rootMatrix(const LevelFrame& frame)
+/** From the map's frame to the world's about it, turned until its y axis is up; column by column.
+ * The map's place is here, and not in its vertices, as these are floats. \param origin of the map's
+ * frame [m] */
+json_t rootMatrix(const LevelFrame& frame, const mrpt::math::TPoint3D& origin)
 {
     json_t matrix = json_t::array();
     for (size_t column = 0; column < 3; ++column) {
         const auto& [x, y, z] = frame.axes();
         for (const double value : {x[column], z[column], -y[column], 0.0}) matrix.push_back(value);
     }
-    for (const double value : {0, 0, 0, 1}) matrix.push_back(value);
+    for (const double value : {origin.x, origin.z, 0 - origin.y, 1.0}) matrix.push_back(value);
     return matrix;
 }
 
@@ -114,12 +116,13 @@ json_t rootMatrix(const LevelFrame& frame)
 class Document
 {
  public:
-    Document(double resolution, const LevelFrame& frame) : m_resolution(resolution)
+    Document(const SemanticVoxelMap& map, const LevelFrame& frame) : m_resolution(map.resolution())
     {
-        m_json = {{"asset", {{"version", "2.0"}, {"generator", "Voxeland for MRPT"}}},
-                  {"scene", 0},
-                  {"scenes", {{{"nodes", {0}}}}},
-                  {"nodes", {{{"name", "voxeland map"}, {"matrix", rootMatrix(frame)}}}}};
+        m_json = {
+            {"asset", {{"version", "2.0"}, {"generator", "Voxeland for MRPT"}}},
+            {"scene", 0},
+            {"scenes", {{{"nodes", {0}}}}},
+            {"nodes", {{{"name", "voxeland map"}, {"matrix", rootMatrix(frame, map.origin())}}}}};
     }
 
     void add(const Part& part)
@@ -215,7 +218,7 @@ void writeBuffer(const Part& part, double resolution, LittleEndianStream& out)
 void exportGlb(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file)
 {
     const std::vector<Part> parts = partsOf(map);
-    Document document(map.resolution(), frame);
+    Document document(map, frame);
     for (const Part& part : parts) document.add(part);
     const std::string text = document.text();
     constexpr size_t HEADER = 12, CHUNK_HEADER = 8;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/HeightSlice.h"
 
+#include "FloatDigits.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/GzOutputFile.h"
+#include "voxeland/numbers.h"
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
@@ -83,6 +85,13 @@ float columnOccupancy(const SemanticVoxelMap& map, const LevelFrame& frame,
         most = std::max(most, map.occupancyAt(frame.toMap({x, y, z})));
     return static_cast<float>(OccupancyFilter::probability(most));
 }
+
+/** Metres to the nanometre: without the last digits of products such as 19773 * 0.05. */
+std::string metresText(double metres)
+{
+    constexpr double NANOMETRES = 1e9;
+    return numberText(std::round(metres * NANOMETRES) / NANOMETRES);
+}
 }  // namespace
 
 HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
@@ -100,13 +109,20 @@ HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
     return slice;
 }
 
+HeightSlice inWorld(HeightSlice slice, const SemanticVoxelMap& map)
+{
+    slice.minX += map.origin().x;
+    slice.minY += map.origin().y;
+    return slice;
+}
+
 mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice)
 {
     const auto columns = static_cast<double>(slice.columns), rows = static_cast<double>(slice.rows);
+    const auto at = [&](double metres) { return asFloat(metres, slice.resolution, "a gridmap"); };
     mrpt::maps::COccupancyGridMap2D grid(
-        static_cast<float>(slice.minX), static_cast<float>(slice.minX + columns * slice.resolution),
-        static_cast<float>(slice.minY), static_cast<float>(slice.minY + rows * slice.resolution),
-        static_cast<float>(slice.resolution));
+        at(slice.minX), at(slice.minX + columns * slice.resolution), at(slice.minY),
+        at(slice.minY + rows * slice.resolution), static_cast<float>(slice.resolution));
     for (size_t row = 0; row < slice.rows; ++row)
         for (size_t column = 0; column < slice.columns; ++column)
             grid.setCell(static_cast<int>(column), static_cast<int>(row),
@@ -145,8 +161,8 @@ void exportRosMap(const HeightSlice& slice, const std::string& yamlFile)
     });
     writeAtomically(yamlFile, [&](std::ostream& out) {
         out << "image: " << fs::path(image).filename().string()
-            << "\nresolution: " << slice.resolution << "\norigin: [" << slice.minX << ", "
-            << slice.minY << ", 0.0]"
+            << "\nresolution: " << numberText(slice.resolution) << "\norigin: ["
+            << metresText(slice.minX) << ", " << metresText(slice.minY) << ", 0.0]"
             << "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
     });
 }

@@ -64,8 +64,9 @@ std::string decisionsAsText(const SemanticVoxelMap& map, const Instance& instanc
     return text;
 }
 
-json_t toJson(const InstanceView& v)
+json_t toJson(const SemanticVoxelMap& map, const InstanceView& v)
 {
+    using mrpt::math::TPoint3D;
     return {{"frame", v.frame},
             {"timestamp", mrpt::Clock::toDouble(v.time)},
             {"probability", v.probability},
@@ -73,8 +74,8 @@ json_t toJson(const InstanceView& v)
             {"box", {v.box.x, v.box.y, v.box.width, v.box.height}},
             {"area", v.area},
             {"truncated", v.truncated},
-            {"camera", {v.camera.x, v.camera.y, v.camera.z}},
-            {"target", {v.target.x, v.target.y, v.target.z}}};
+            {"camera", voxeland::toJson(map.inWorld(TPoint3D(v.camera)))},
+            {"target", voxeland::toJson(map.inWorld(TPoint3D(v.target)))}};
 }
 
 json_t toJson(const SemanticVoxelMap& map, const Decision& d)
@@ -139,7 +140,7 @@ std::string explanationAsJson(const SemanticVoxelMap& map, instance_id_t id)
     json["views"] = json_t::object();
     for (const auto& [category, views] : i.views.byCategory())
         for (const InstanceView& v : views)
-            json["views"][map.categories().name(category)].push_back(toJson(v));
+            json["views"][map.categories().name(category)].push_back(toJson(map, v));
     json["history"] = json_t::array();
     for (const InstanceEvent& e : i.history)
         json["history"].push_back({{"frame", e.frame},

@@ -4,6 +4,7 @@
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/OrientedBox.h"
 #include "voxeland/map/MapQueries.h"
+#include "voxeland/numbers.h"
 
 namespace voxeland
 {
@@ -34,7 +35,7 @@ void exportCsv(const SemanticVoxelMap& map, const LevelFrame& frame, const std::
                 << "," << s.vacuity << "," << s.geometricEntropy << "," << s.observations << ","
                 << s.voxels;
             for (const auto* p : {&s.centroid, &s.boxMin, &s.boxMax, &box.center, &box.size})
-                out << "," << p->x << "," << p->y << "," << p->z;
+                for (const double x : {p->x, p->y, p->z}) out << "," << numberText(x);
             out << "," << box.yaw << "\n";
         }
     });

@@ -73,8 +73,8 @@ MapOverview overviewOf(const SemanticVoxelMap& map, const MappingCounts& counts)
         ++overview.occupiedVoxels;
     });
     if (overview.occupiedVoxels > 0) {
-        overview.boxMin = low;
-        overview.boxMax = high;
+        overview.boxMin = map.inWorld(low);
+        overview.boxMax = map.inWorld(high);
     }
     overview.dismissed = map.dismissed().size();
     for (const InstanceSummary& s : summarizeInstances(map)) {
@@ -118,11 +118,12 @@ std::vector<FoundInstance> findInstances(const SemanticVoxelMap& map, const std:
     return found;
 }
 
-PlaceAnswer askPlace(const SemanticVoxelMap& map, const mrpt::math::TPoint3D& place)
+PlaceAnswer askPlace(const SemanticVoxelMap& map, const mrpt::math::TPoint3D& placeInWorld)
 {
     PlaceAnswer answer;
+    const mrpt::math::TPoint3D place = map.inMap(placeInWorld);
     const VoxelCoord v = map.voxelOf(place);
-    answer.center = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
+    answer.center = map.inWorld(voxelCenter<mrpt::math::TPoint3D>(v, map.resolution()));
     answer.observed = map.occupancy(v) != UNOBSERVED;
     answer.occupancy = OccupancyFilter::probability(map.occupancy(v));
     const VoxelEvidence* evidence = map.evidence(v);

@@ -22,6 +22,12 @@ std::string onOneLine(std::string name)
     return name;
 }
 
+/** Whether coordinates need more digits than a float has. */
+bool isFar(const SemanticVoxelMap& map)
+{
+    return map.origin() != mrpt::math::TPoint3D();
+}
+
 void writeHeader(const SemanticVoxelMap& map, size_t voxels, std::ostream& out)
 {
     out << "ply\nformat binary_little_endian 1.0\n"
@@ -31,7 +37,8 @@ void writeHeader(const SemanticVoxelMap& map, size_t voxels, std::ostream& out)
     for (category_id_t c = 0; c < map.categories().size(); ++c)
         out << "comment category " << c << " " << onOneLine(map.categories().name(c)) << "\n";
     out << "element vertex " << voxels << "\n";
-    for (const char* name : {"x", "y", "z"}) out << "property float " << name << "\n";
+    for (const char* name : {"x", "y", "z"})
+        out << (isFar(map) ? "property double " : "property float ") << name << "\n";
     for (const char* name : {"red", "green", "blue"}) out << "property uchar " << name << "\n";
     for (const char* name : {"instanceid", "categoryid"}) out << "property int " << name << "\n";
     for (const char* name :
@@ -76,8 +83,12 @@ class PlyWriter
     void writeVertex(const VoxelCoord& v, LittleEndianStream& body)
     {
         const VoxelEvidence& evidence = *m_map.evidence(v);
-        const auto at = voxelCenter<mrpt::math::TPoint3D>(v, m_map.resolution());
-        for (const double x : {at.x, at.y, at.z}) body << static_cast<float>(x);
+        const auto at = m_map.inWorld(voxelCenter<mrpt::math::TPoint3D>(v, m_map.resolution()));
+        for (const double x : {at.x, at.y, at.z})
+            if (isFar(m_map))
+                body << x;
+            else
+                body << static_cast<float>(x);
         const instance_id_t id = m_map.winner(evidence);
         const Color& color = m_colors.at(id);
         body << color.red << color.green << color.blue << static_cast<int32_t>(id);

@@ -82,9 +82,13 @@ void exportScene(const SemanticVoxelMap& map, const LevelFrame& frame, const std
     objects->insert(voxelCubes(map));
     const auto boxes = orientedBoxes(map, frame);
     const auto colors = instanceColors(map);
-    for (const InstanceSummary& s : summarizeInstances(map))
-        insertInstance(*objects, s, boxes.at(s.id), colors.at(s.id));
+    for (const InstanceSummary& s : summarizeInstances(map)) {
+        OrientedBox box = boxes.at(s.id);
+        box.center = map.inMap(box.center);
+        insertInstance(*objects, s, box, colors.at(s.id));
+    }
     objects->setPose(-poseOf(frame, {0, 0, 0}));
+    objects->setLocation(map.origin());
 
     mrpt::opengl::COpenGLScene scene;
     scene.insert(objects);

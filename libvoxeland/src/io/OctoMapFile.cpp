@@ -4,6 +4,7 @@
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
 
+#include <cmath>
 #include <filesystem>
 #include <octomap/OcTree.h>
 
@@ -14,12 +15,12 @@ namespace
 /** OctoMap numbers its voxels from 0; its voxel of this number starts at the origin, as our 0. */
 constexpr int ORIGIN = 32768;
 
-octomap::key_type keyOf(int32_t coordinate)
+octomap::key_type keyOf(int64_t coordinate)
 {
     if (coordinate < -ORIGIN || coordinate >= ORIGIN)
         throw ConfigurationError(
-            "the map reaches farther from its origin than an OctoMap can: "
-            "use a coarser resolution");
+            "an OctoMap reaches 32768 voxels from the origin of the world, the map farther: use "
+            "a coarser resolution, or --ply");
     return static_cast<octomap::key_type>(coordinate + ORIGIN);
 }
 
@@ -28,6 +29,8 @@ octomap::OcTree octreeOf(const SemanticVoxelMap& map)
     octomap::OcTree tree(map.resolution());
     tree.setClampingThresMin(map.options().occupancy.prob_min);
     tree.setClampingThresMax(map.options().occupancy.prob_max);
+    const auto shift = [&](double metres) { return std::llround(metres / map.resolution()); };
+    const int64_t x = shift(map.origin().x), y = shift(map.origin().y), z = shift(map.origin().z);
     for (const uint32_t b : map.blocks().sorted()) {
         const MapBlock& block = map.blocks()[b];
         for (int cell = 0; cell < BLOCK_CELLS; ++cell) {
@@ -35,8 +38,8 @@ octomap::OcTree octreeOf(const SemanticVoxelMap& map)
             if (occupancy == UNOBSERVED) continue;
             const VoxelCoord v = voxelAt(map.blocks().coordOf(b), cell);
             const float logOdds = octomap::logodds(OccupancyFilter::probability(occupancy));
-            tree.setNodeValue(octomap::OcTreeKey(keyOf(v.x), keyOf(v.y), keyOf(v.z)), logOdds,
-                              true);
+            tree.setNodeValue(octomap::OcTreeKey(keyOf(x + v.x), keyOf(y + v.y), keyOf(z + v.z)),
+                              logOdds, true);
         }
     }
     tree.updateInnerOccupancy();

@@ -73,7 +73,10 @@ std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map,
 {
     std::map<instance_id_t, OrientedBox> boxes;
     for (const auto& [id, voxels] : voxelsByWinner(map))
-        if (id != UNKNOWN_INSTANCE) boxes[id] = orientedBox(voxels, map.resolution(), frame);
+        if (id != UNKNOWN_INSTANCE) {
+            OrientedBox& box = boxes[id] = orientedBox(voxels, map.resolution(), frame);
+            box.center = map.inWorld(box.center);
+        }
     return boxes;
 }
 }  // namespace voxeland

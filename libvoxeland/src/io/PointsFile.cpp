@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/PointsFile.h"
 
+#include "FloatDigits.h"
 #include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
@@ -60,11 +61,17 @@ CSimplePointsMap pointsOf(const SemanticVoxelMap& map, const PointsFilter& filte
 {
     const std::set<instance_id_t> wanted = wantedInstances(map, filter);
     CSimplePointsMap points;
+    const auto insert = [&](const mrpt::math::TPoint3D& p) {
+        const auto at = [&](double metres) {
+            return asFloat(metres, map.resolution(), "a point map");
+        };
+        points.insertPoint(at(p.x), at(p.y), at(p.z));
+    };
     map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
         const auto p = voxelCenter<mrpt::math::TPoint3D>(v, map.resolution());
         if (wanted.count(map.winner(evidence)) > 0 &&
             filter.heights.contains(filter.frame.toLevel(p).z))
-            points.insertPoint(p);
+            insert(map.inWorld(p));
     });
     return points;
 }

@@ -2,6 +2,7 @@
 #include "voxeland/io/Reobservation.h"
 
 #include "voxeland/map/MapQueries.h"
+#include "voxeland/observations/RgbdFrame.h"
 
 #include <algorithm>
 
@@ -81,6 +82,8 @@ std::vector<ReobservationTarget> planReobservation(const SemanticVoxelMap& map,
     std::vector<ReobservationTarget> targets;
     for (Candidate& c : all) {
         c.target.poses = placeCamera(map, frame, camera, floor, c.voxels);
+        c.target.center = map.inWorld(c.target.center);
+        for (CameraPose& p : c.target.poses) p.pose = relativeTo(-map.origin(), p.pose);
         targets.push_back(std::move(c.target));
     }
     return targets;

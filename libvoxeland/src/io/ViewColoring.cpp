@@ -34,7 +34,7 @@ ViewColoring byInstance(const SemanticVoxelMap& map, const VoxelScene& scene)
         coloring.legend.push_back(
             {palette.at(s.id), format("%u %s %.2f", s.id, s.category().c_str(), s.probability())});
         if (s.voxels >= LABELLED)
-            coloring.labels.push_back({scene.toLevel(s.centroid), std::to_string(s.id)});
+            coloring.labels.push_back({scene.toLevel(map.inMap(s.centroid)), std::to_string(s.id)});
     }
     coloring.legend.push_back({UNKNOWN_COLOR, UNKNOWN_CATEGORY});
     return coloring;

@@ -99,10 +99,7 @@ VoxelCoord readBlockCoord(CArchive& in)
 {
     VoxelCoord c;
     in >> c.x >> c.y >> c.z;
-    constexpr int32_t MOST = MAX_VOXEL_COORD / BLOCK_SIDE;
-    const auto fits = [](int32_t i) { return i >= -MOST && i <= MOST; };
-    if (!fits(c.x) || !fits(c.y) || !fits(c.z))
-        throw std::runtime_error("corrupt map: a block too far away");
+    if (!isInRange(c)) throw std::runtime_error("corrupt map: a block too far away");
     return c;
 }
 

@@ -120,7 +120,9 @@ std::vector<InstanceSummary> summarizeInstances(const SemanticVoxelMap& map)
         s.vacuity = categoryVacuity(map, instance);
         s.observations = instance.observations;
         s.geometricEntropy /= s.voxels;
-        s.centroid *= 1.0 / s.voxels;
+        s.centroid = map.inWorld(s.centroid * (1.0 / s.voxels));
+        s.boxMin = map.inWorld(s.boxMin);
+        s.boxMax = map.inWorld(s.boxMax);
         summaries.push_back(std::move(s));
     }
     return summaries;

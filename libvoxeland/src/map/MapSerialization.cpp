@@ -6,6 +6,7 @@
 #include <mrpt/serialization/stl_serialization.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 using mrpt::serialization::CArchive;
@@ -14,7 +15,7 @@ namespace voxeland
 {
 namespace
 {
-constexpr uint8_t VERSION = 2;
+constexpr uint8_t VERSION = 3;
 
 void write(CArchive& out, const MapOptions& o)
 {
@@ -32,6 +33,14 @@ MapOptions readOptions(CArchive& in, uint8_t version)
     if (version < 2) in.ReadAs<uint32_t>();  // categories that kept views
     o.entropy = entropyMeasureFromString(entropy);
     return o;
+}
+
+mrpt::math::TPoint3D readOrigin(CArchive& in)
+{
+    mrpt::math::TPoint3D origin;
+    in >> origin.x >> origin.y >> origin.z;
+    if (!std::isfinite(origin.sqrNorm())) throw std::runtime_error("corrupt map: no origin");
+    return origin;
 }
 
 // One call for a block's occupancies: sets of maps are copied by writing and reading them.
@@ -88,6 +97,7 @@ void SemanticVoxelMap::writeTo(CArchive& out) const
 {
     out << VERSION;
     write(out, m_options);
+    out << m_origin.x << m_origin.y << m_origin.z;
     out << m_categories.names() << m_nextInstance << m_absorbed << m_dismissed;
     out << static_cast<uint32_t>(m_instances.size());
     for (const auto& [id, instance] : m_instances) write(out, instance);
@@ -102,6 +112,7 @@ void SemanticVoxelMap::readFrom(CArchive& in)
         throw std::runtime_error("map format version " + std::to_string(version) +
                                  " is not known: it was written by another Voxeland");
     SemanticVoxelMap read(readOptions(in, version));
+    if (version > 2) read.m_origin = readOrigin(in);
     std::vector<std::string> names;
     in >> names >> read.m_nextInstance >> read.m_absorbed >> read.m_dismissed;
     checkMerges(read.m_absorbed, read.m_nextInstance);

@@ -72,6 +72,15 @@ void SemanticVoxelMap::setOptions(const MapOptions& options)
     m_filter = check.m_filter;
 }
 
+void SemanticVoxelMap::placeNear(const mrpt::math::TPoint3D& place)
+{
+    if (!empty()) return;
+    const double blockSide = BLOCK_SIDE * m_options.resolution;
+    const double near = (MAX_VOXEL_COORD + 1) / 2 * m_options.resolution;
+    for (size_t a = 0; a < 3; ++a)
+        m_origin[a] = std::abs(place[a]) < near ? 0 : std::round(place[a] / blockSide) * blockSide;
+}
+
 void SemanticVoxelMap::clear()
 {
     *this = SemanticVoxelMap(m_options);

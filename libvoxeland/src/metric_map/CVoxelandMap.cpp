@@ -71,6 +71,11 @@ const SemanticMapper& CVoxelandMap::mapper()
     return *m_mapper;
 }
 
+void CVoxelandMap::placeNear(const CPose3D& pose)
+{
+    if (m_map->empty()) m_map.edit().placeNear(pose.translation());
+}
+
 StageTimes CVoxelandMap::integrate(PreparedFrame frame)
 {
     mapper();
@@ -100,6 +105,8 @@ void CVoxelandMap::addSkipped(const FrameAssembler::Counts& skipped)
 void CVoxelandMap::mapCompleteFrames()
 {
     while (auto frame = m_assembler.next()) {
+        placeNear(frame->robotPose);
+        frame->robotPose = relativeTo(m_map->origin(), frame->robotPose);
         mapper().predict(*frame);
         integrate(mapper().prepare(*frame));
     }
@@ -165,7 +172,9 @@ std::string CVoxelandMap::asString() const
 void CVoxelandMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const
 {
     if (!genericMapParams.enableSaveAs3DObject) return;
-    out.insert(voxelCubes(*m_map));
+    const auto cubes = voxelCubes(*m_map);
+    cubes->setLocation(m_map->origin());
+    out.insert(cubes);
 }
 
 void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) const
@@ -187,6 +196,6 @@ void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) 
 
 const mrpt::maps::CSimplePointsMap* CVoxelandMap::getAsSimplePointsMap() const
 {
-    return &m_map.points();
+    return m_map->origin() == mrpt::math::TPoint3D() ? &m_map.points() : nullptr;
 }
 }  // namespace voxeland

@@ -18,11 +18,12 @@ double CVoxelandMap::internal_computeObservationLikelihood(
 {
     const LikelihoodOptions& o = likelihoodOptions;
     const auto points = observedPoints(observation, o.max_points, o.max_range);
+    const mrpt::poses::CPose3D sensed = relativeTo(m_map->origin(), takenFrom);
     const double exponent = -0.5 / (o.sigma_dist * o.sigma_dist);
     const double sum = m_map.withDistances(o.max_corr_distance, [&](DistanceField& field) {
         double logarithms = 0;
         for (const auto& p : points) {
-            const double squared = field.squaredDistance(takenFrom.composePoint(p));
+            const double squared = field.squaredDistance(sensed.composePoint(p));
             logarithms += std::log((1 - o.outliers) * std::exp(exponent * squared) + o.outliers);
         }
         return logarithms;

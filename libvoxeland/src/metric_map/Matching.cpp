@@ -5,12 +5,15 @@
 
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/poses/CPose2D.h>
 
 #include <stdexcept>
 
 using mrpt::maps::CMetricMap;
 using mrpt::maps::CPointsMap;
 using mrpt::maps::CSimplePointsMap;
+using mrpt::math::TPoint3D;
+using mrpt::poses::CPose3D;
 
 namespace voxeland
 {
@@ -27,6 +30,13 @@ const CPointsMap& pointsOf(const CMetricMap& map)
     throw std::runtime_error(std::string("a ") + map.GetRuntimeClass()->className +
                              " cannot be matched with a voxeland map: it has no points");
 }
+
+/** Pairs found in a map's frame; MRPT's pairs hold floats. */
+void moveToWorld(mrpt::tfest::TMatchingPairList& pairs, const SemanticVoxelMap& map)
+{
+    const mrpt::math::TPoint3Df origin(map.origin());
+    for (auto& pair : pairs) pair.global += origin;
+}
 }  // namespace
 
 mrpt::math::TBoundingBoxf CVoxelandMap::boundingBox() const
@@ -35,8 +45,8 @@ mrpt::math::TBoundingBoxf CVoxelandMap::boundingBox() const
     if (points.empty()) return {{0, 0, 0}, {0, 0, 0}};
     const auto half = static_cast<float>(m_map->resolution() / 2);
     const auto centers = points.boundingBox();
-    const mrpt::math::TPoint3Df margin(half, half, half);
-    return {centers.min - margin, centers.max + margin};
+    const mrpt::math::TPoint3Df margin(half, half, half), origin(m_map->origin());
+    return {centers.min - margin + origin, centers.max + margin + origin};
 }
 
 void CVoxelandMap::determineMatching3D(const CMetricMap* other,
@@ -45,8 +55,9 @@ void CVoxelandMap::determineMatching3D(const CMetricMap* other,
                                        const mrpt::maps::TMatchingParams& params,
                                        mrpt::maps::TMatchingExtraResults& results) const
 {
-    m_map.points().determineMatching3D(&pointsOf(*other), otherPose, correspondences, params,
-                                       results);
+    m_map.points().determineMatching3D(&pointsOf(*other), relativeTo(m_map->origin(), otherPose),
+                                       correspondences, params, results);
+    moveToWorld(correspondences, *m_map);
 }
 
 void CVoxelandMap::determineMatching2D(const CMetricMap* other,
@@ -58,12 +69,16 @@ void CVoxelandMap::determineMatching2D(const CMetricMap* other,
     const CPointsMap& otherPoints = pointsOf(*other);
     const auto heights = otherPoints.boundingBox();
     const auto half = static_cast<float>(m_map->resolution() / 2);
+    const TPoint3D& origin = m_map->origin();
+    const mrpt::poses::CPose2D pose(otherPose.x() - origin.x, otherPose.y() - origin.y,
+                                    otherPose.phi());
     const auto match = [&](const PointsSlice& slice) {
-        slice.points().determineMatching2D(&otherPoints, otherPose, correspondences, params,
-                                           results);
+        slice.points().determineMatching2D(&otherPoints, pose, correspondences, params, results);
         for (auto& pair : correspondences) pair.globalIdx = slice.indexInAll(pair.globalIdx);
     };
-    m_map.withSlice(heights.min.z - half, heights.max.z + half, match);
+    const auto z = static_cast<float>(origin.z);
+    m_map.withSlice(heights.min.z - z - half, heights.max.z - z + half, match);
+    moveToWorld(correspondences, *m_map);
 }
 
 float CVoxelandMap::compute3DMatchingRatio(const CMetricMap* other,
@@ -73,11 +88,12 @@ float CVoxelandMap::compute3DMatchingRatio(const CMetricMap* other,
     const CPointsMap& otherPoints = pointsOf(*other);
     const CSimplePointsMap& points = m_map.points();
     if (points.empty() || otherPoints.empty()) return 0;
+    const CPose3D pose = relativeTo(m_map->origin(), otherPose);
     size_t matched = 0;
     for (size_t i = 0; i < otherPoints.size(); ++i) {
         mrpt::math::TPoint3D inOther;
         otherPoints.getPoint(i, inOther);
-        const mrpt::math::TPoint3Df p(otherPose.composePoint(inOther));
+        const mrpt::math::TPoint3Df p(pose.composePoint(inOther));
         float x, y, z, squaredDistance;
         points.kdTreeClosestPoint3D(p.x, p.y, p.z, x, y, z, squaredDistance);
         if (squaredDistance <= params.maxDistForCorr * params.maxDistForCorr) ++matched;

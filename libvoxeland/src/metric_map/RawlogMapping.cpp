@@ -8,17 +8,50 @@
 
 #include <mrpt/system/datetime.h>
 
+#include <utility>
+
 namespace voxeland
 {
 namespace
 {
-void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
+/** Gives a rawlog's frames as a mapper takes them: with poses in the map's frame. */
+class PlacedFrames
 {
-    if (mapped || source.stoppedBefore()) return;
+ public:
+    /** Places the map, if it is empty, near the first frame. */
+    PlacedFrames(RawlogFrameSource& source, CVoxelandMap& map)
+        : m_source(source), m_ahead(source.next())
+    {
+        if (m_ahead) map.placeNear(m_ahead->robotPose);
+        m_origin = map.map().origin();
+    }
+    std::optional<RgbdFrame> next()
+    {
+        auto frame = std::exchange(m_ahead, std::nullopt);
+        if (!frame) frame = m_source.next();
+        if (frame) frame->robotPose = relativeTo(m_origin, frame->robotPose);
+        return frame;
+    }
+
+ private:
+    RawlogFrameSource& m_source;
+    std::optional<RgbdFrame> m_ahead;  //!< the first frame
+    mrpt::math::TPoint3D
+        m_origin;  //!< of the map's frame, kept here as the map itself changes meanwhile
+};
+
+void checkSomethingMapped(const RawlogFrameSource& source, const MappingCounts& before,
+                          const MappingCounts& now)
+{
+    if (now.frames > before.frames || source.stoppedBefore()) return;
     if (source.framesMet() == 0)
         throw NothingToMapError(
             "the rawlog holds no CObservation3DRangeScan of the sensor to map: check "
             "depth_sensor_label");
+    if (now.framesOutOfRange > before.framesOutOfRange)
+        throw NothingToMapError(
+            "all of the rawlog's frames are farther off than a map of this resolution can hold: "
+            "check the poses, or map them on their own instead of with --resume");
     if (source.skipped().framesWithoutPose == 0)
         throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
                                 " frames is in the range asked for");
@@ -65,10 +98,12 @@ MappedInput mapRawlog(
 {
     MappedInput met;
     met.leftOut = LeftOut(strict);
-    bool mapped = false, unreadable = false;
+    bool unreadable = false;
+    const MappingCounts before = map.counts();
     {
         const SemanticMapper& mapper = map.mapper();
-        FramePredictor predictor(mapper, [&] { return source.next(); });
+        PlacedFrames frames(source, map);
+        FramePredictor predictor(mapper, [&] { return frames.next(); });
         FramePreparer preparer(
             mapper,
             [&] {
@@ -83,11 +118,11 @@ MappedInput mapRawlog(
             met.depths.add(frame->voxels.depths());
             met.opinions += frame->opinions.size();
             onFrame(time, map.integrate(std::move(*frame)));
-            mapped = true;
         }
     }
+    const bool mapped = map.counts().frames > before.frames;
     if (!mapped && met.leftOut.count() > 0) failWithoutFrames(met.leftOut, unreadable);
-    checkSomethingMapped(source, mapped);
+    checkSomethingMapped(source, before, map.counts());
     if (mapped) checkDepths(met.depths, map.mapper().config().input.depth);
     map.addSkipped(source.skipped());
     return met;

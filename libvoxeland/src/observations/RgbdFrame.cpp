@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/RgbdFrame.h"
 
-#include "voxeland/grid/VoxelCoord.h"
+#include <Eigen/Dense>
 
 #include <cmath>
 
@@ -9,12 +9,22 @@ namespace voxeland
 {
 bool isValidPose(const mrpt::poses::CPose3D& pose)
 {
-    constexpr double FARTHEST = MAX_VOXEL_COORD * 0.001;
-    for (int row = 0; row < 3; ++row) {
-        if (!(std::abs(pose.m_coords[static_cast<size_t>(row)]) < FARTHEST)) return false;
-        for (int col = 0; col < 3; ++col)
-            if (!std::isfinite(pose.getRotationMatrix()(row, col))) return false;
-    }
-    return true;
+    constexpr double FARTHEST = 1e9, TOLERANCE = 0.01;
+    for (const double coordinate : pose.m_coords)
+        if (!(std::abs(coordinate) < FARTHEST)) return false;
+    const auto r = pose.getRotationMatrix().asEigen();
+    const double skewness = (r * r.transpose() - Eigen::Matrix3d::Identity()).norm();
+    return skewness < TOLERANCE && r.determinant() > 0;
+}
+
+mrpt::poses::CPose3D relativeTo(const mrpt::math::TPoint3D& origin,
+                                const mrpt::poses::CPose3D& pose)
+{
+    mrpt::poses::CPose3D moved(pose);
+    const auto at = pose.translation() - origin;
+    moved.m_coords[0] = at.x;
+    moved.m_coords[1] = at.y;
+    moved.m_coords[2] = at.z;
+    return moved;
 }
 }  // namespace voxeland

@@ -28,6 +28,25 @@ void decode(const RgbdFrame& frame, StageTimes& times)
                             "' cannot be read: restore the rawlog's folder of images");
     }
 }
+
+/** Whether voxels that a frame saw can all be stored. */
+bool isInRange(const ObservedSpace& space)
+{
+    for (size_t b = 0; b < space.size(); ++b)
+        if (!voxeland::isInRange(space.coordOf(b))) return false;
+    return true;
+}
+
+/** Stands for a frame that saw what cannot be stored. */
+PreparedFrame outOfRange(const RgbdFrame& frame, double resolution, const StageTimes& times)
+{
+    PreparedFrame nothing{VoxelizedFrame(resolution)};
+    nothing.times = times;
+    nothing.time = frame.scan->timestamp;
+    nothing.inRange = false;
+    return nothing;
+}
+
 /** Plugins are other people's code: what they return must not spoil a map. */
 void checkOpinions(const std::vector<Opinion>& opinions, const VoxelizedFrame& voxels,
                    const COpinionConverter& converter)
@@ -72,10 +91,13 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
     StageTimes times{};
     times[static_cast<size_t>(Stage::detection)] = frame.detectionTime;
     decode(frame, times);
+    const double resolution = m_config.map.resolution;
+    const auto camera = (frame.robotPose + frame.scan->sensorPose).translation();
+    if (!voxeland::isInRange(camera, 1 / resolution)) return outOfRange(frame, resolution, times);
 
     auto voxels = [&] {
         const StageTimer timer(times, Stage::voxelize);
-        return VoxelizedFrame(frame, m_config.map.resolution, m_config.input.depth);
+        return VoxelizedFrame(frame, resolution, m_config.input.depth);
     }();
     auto opinions = [&] {
         const StageTimer timer(times, Stage::opinions);
@@ -86,6 +108,7 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
         const StageTimer timer(times, Stage::rays);
         return castRays(voxels, m_config.integration.visibility_margin);
     }();
+    if (!isInRange(space)) return outOfRange(frame, resolution, times);
     std::optional<PoseUncertainty> uncertainty;
     if (m_config.integration.pose_uncertainty && frame.poseCovariance)
         uncertainty.emplace(frame.robotPose, *frame.poseCovariance);
@@ -101,6 +124,10 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
 StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
                                      MappingCounts& counts)
 {
+    if (!frame.inRange) {
+        ++counts.framesOutOfRange;
+        return frame.times;
+    }
     std::vector<OpinionOverlaps> opinions;
     std::vector<Assignment> assignments;
     {

@@ -84,8 +84,10 @@ json instancesOf(const SemanticVoxelMap& map, const std::vector<FoundInstance>& 
              {"doubt", s.geometricEntropy},
              {"observations", s.observations},
              {"voxels", s.voxels},
-             {"centroid", list(s.centroid)},
-             {"box", {{"center", list(box.center)}, {"size", list(box.size)}, {"axes", axes}}},
+             {"at", list(s.centroid)},
+             {"centroid", list(map.inMap(s.centroid))},
+             {"box",
+              {{"center", list(map.inMap(box.center))}, {"size", list(box.size)}, {"axes", axes}}},
              {"color", hex(colors.at(s.id))},
              {"categoryColor", hex(categoryPalette.at(s.category()))}});
     }

@@ -288,7 +288,7 @@ function showDetail() {
   add(detail, 'b', nameOf(chosen));
   add(detail, 'span', ': seen ' + chosen.observations + ' times, ' + chosen.voxels + ' voxels, ' +
     chosen.box.size.map(s => s.toFixed(2)).join(' x ') + ' m at (' +
-    chosen.centroid.map(c => c.toFixed(2)).join(', ') + ')');
+    chosen.at.map(c => c.toFixed(2)).join(', ') + ')');
   for (const [name, probability] of chosen.probabilities) {
     const row = add(detail, 'div', undefined, 'row');
     meter(row, probability);

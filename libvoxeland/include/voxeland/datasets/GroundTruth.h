@@ -11,8 +11,8 @@ namespace voxeland
 /** Annotated points of a scene, whatever file they come from; world frame of the map's poses. */
 struct GroundTruth
 {
-    std::vector<mrpt::math::TPoint3Df> points;  //!< [m]
-    std::vector<uint32_t> instance;             //!< object of each point; 0: none, or structure
+    std::vector<mrpt::math::TPoint3D> points;  //!< [m]
+    std::vector<uint32_t> instance;            //!< object of each point; 0: none, or structure
     std::vector<uint32_t> category;  //!< position in `names` of each point's category, wherever
                                      //!< instance is not 0
     std::vector<std::string> names;  //!< category names

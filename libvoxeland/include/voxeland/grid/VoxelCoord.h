@@ -33,6 +33,17 @@ struct VoxelCoord
 /** Largest absolute voxel coordinate that can be stored. */
 inline constexpr int32_t MAX_VOXEL_COORD = (1 << 20) - 1;
 
+/** Whether a metric point (any type with x, y, z, maybe no numbers) lies in a voxel that can be
+ * stored. \param inverseResolution 1/edge [1/m] */
+template <typename Point>
+bool isInRange(const Point& p, double inverseResolution)
+{
+    const auto fits = [inverseResolution](double metres) {
+        return std::abs(std::floor(metres * inverseResolution)) <= MAX_VOXEL_COORD;
+    };
+    return fits(p.x) && fits(p.y) && fits(p.z);
+}
+
 /** Bits of each axis in packed(). */
 inline constexpr int PACKED_BITS = 21;
 
@@ -93,6 +104,15 @@ inline VoxelCoord voxelAt(const VoxelCoord& block, int cell)
 {
     return {block.x * BLOCK_SIDE + (cell & 7), block.y * BLOCK_SIDE + ((cell >> 3) & 7),
             block.z * BLOCK_SIDE + (cell >> 6)};
+}
+
+/** Whether a block holds voxels that can be stored. */
+inline bool isInRange(const VoxelCoord& block)
+{
+    const auto fits = [](int32_t i) {
+        return i >= (-MAX_VOXEL_COORD >> 3) && i <= (MAX_VOXEL_COORD >> 3);
+    };
+    return fits(block.x) && fits(block.y) && fits(block.z);
 }
 
 /** Voxel index of one metric coordinate. \param inverseResolution 1/edge [1/m] */

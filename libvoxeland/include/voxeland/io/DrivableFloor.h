@@ -42,7 +42,7 @@ class DrivableFloor
      *  directions the nearest place where it fits, at most touches the object's box, and nothing
      *  outside that box, such as a wall, hides its middle.
      *  \return those nearest to its middle first; none if there is no such place */
-    [[nodiscard]] std::vector<mrpt::math::TPose2D> posesFacing(const OrientedBox& box) const;
+    [[nodiscard]] std::vector<mrpt::math::TPose2D> posesFacing(const OrientedBox& boxInWorld) const;
 
  private:
     [[nodiscard]] bool sees(const mrpt::math::TPoint2D& from, const OrientedBox& box) const;

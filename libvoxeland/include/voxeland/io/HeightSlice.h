@@ -30,7 +30,12 @@ struct HeightSlice
 HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
                     const HeightRange& heights);
 
-/** A slice for MRPT's planners, in the level frame. */
+/** The same slice, its corner in the world: in the level frame it is counted from the map's origin.
+ */
+HeightSlice inWorld(HeightSlice slice, const SemanticVoxelMap& map);
+
+/** A slice for MRPT's planners, in the frame of the slice.
+ *  \throws ConfigurationError where floats lack the digits for its place */
 mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice);
 
 /** Writes gridOf() serialized and compressed (.gridmap, as MRPT's programs read it). \throws

@@ -9,8 +9,9 @@
 
 namespace voxeland
 {
-/** A map's frame turned about its origin until z is up: there, heights are z and floors are level.
- *  Its x axis is the map's as far as that is level; where up is +z it is the map's frame. */
+/** A map's frame turned about SemanticVoxelMap::origin() until z is up: there, heights are z and
+ * floors are level. Its x axis is the map's as far as that is level; where up is +z it is the map's
+ * frame. */
 class LevelFrame
 {
  public:

@@ -8,7 +8,8 @@
 namespace voxeland
 {
 /** Writes the voxels as a binary little-endian PLY point cloud, one vertex a voxel:
- *  - `x y z` (float): centre [m], in the map's frame;
+ *  - `x y z` (float): centre in the world [m]; of type double where the map has an origin of its
+ * own;
  *  - `red green blue` (uchar): that of the instance which wins the voxel, see instanceColors();
  *  - `instanceid` (int): that instance, 0 for *unknown*;
  *  - `categoryid` (int): its most probable category, -1 if none; the header names them in lines

@@ -10,19 +10,21 @@ namespace voxeland
 /** Upright box around an object: turned about the direction of up only, as furniture stands. */
 struct OrientedBox
 {
-    mrpt::math::TPoint3D center;  //!< in the map's frame [m]
+    mrpt::math::TPoint3D center;  //!< [m]
     mrpt::math::TPoint3D size;    //!< along its own x (the longer spread), y, and up [m]
     double yaw = 0;   //!< from the x axis of the level frame to the box's, in (-pi/2, pi/2] [rad]
     LevelFrame axes;  //!< the directions of its sides, the last one being up
 };
 
-/** The box around these voxels. Its x axis is the direction in which the voxels' centres spread
- *  most in the horizontal plane (principal component); half a voxel is added on each side.
- *  \param voxels not empty \param resolution edge [m] \param frame tells what is horizontal */
+/** The box around these voxels, in the map's frame. Its x axis is the direction in which the
+ * voxels' centres spread most in the horizontal plane (principal component); half a voxel is added
+ * on each side. \param voxels not empty \param resolution edge [m] \param frame tells what is
+ * horizontal */
 OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution,
                         const LevelFrame& frame = LevelFrame());
 
-/** The boxes of all instances that win at least one occupied voxel, around those voxels.
+/** The boxes of all instances that win at least one occupied voxel, around those voxels, in the
+ *  world.
  *  \param frame tells what is horizontal */
 std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map,
                                                    const LevelFrame& frame);

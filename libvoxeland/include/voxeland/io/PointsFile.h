@@ -22,7 +22,8 @@ struct PointsFilter
     HeightRange heights;               //!< [m]
 };
 
-/** The centres of occupied voxels, in the map's frame: obstacles for MRPT's reactive navigation. */
+/** The centres of occupied voxels, in the world: obstacles for MRPT's reactive navigation.
+ *  \throws ConfigurationError where floats lack the digits for their places */
 mrpt::maps::CSimplePointsMap pointsOf(const SemanticVoxelMap& map, const PointsFilter& filter);
 
 /** Writes pointsOf():

@@ -32,8 +32,12 @@ struct MapOptions
 
 /** The probabilistic, instance-aware semantic voxel map (paper, "Map Representation"): occupancy
  * and a Dirichlet over instances per voxel, a Dirichlet over categories per instance. State only:
- * how frames become evidence is the pipeline's business. Frame of reference: the world of the poses
- *  it was built with; metres. Copyable. */
+ * how frames become evidence is the pipeline's business. Copyable.
+ *
+ *  Frames of reference, both in metres: poses and answers are in the *world* of the poses it was
+ *  built with. Voxels, and what is kept with them, are in the *map's frame*: the world's axes about
+ *  origin(), which is the world's own origin unless the map lies too far from it for the numbers of
+ *  voxels and the digits of floats. */
 class SemanticVoxelMap
 {
  public:
@@ -48,6 +52,22 @@ class SemanticVoxelMap
     [[nodiscard]] double resolution() const { return m_options.resolution; }
     [[nodiscard]] const OccupancyFilter& occupancyFilter() const { return m_filter; }
     [[nodiscard]] bool empty() const { return m_blocks.size() == 0; }
+
+    /** The origin of the map's frame, in the world [m]: a corner of a block of voxels, so that the
+     *  raster of the voxels is the same for any origin. */
+    [[nodiscard]] const mrpt::math::TPoint3D& origin() const { return m_origin; }
+    /** Chooses the origin of an empty map, and leaves that of any other: along each axis, 0 where
+     * that leaves room for half of all voxels beyond the place, or else the block's corner nearest
+     * to it. \param place in the world [m], such as that of the first pose */
+    void placeNear(const mrpt::math::TPoint3D& place);
+    [[nodiscard]] mrpt::math::TPoint3D inMap(const mrpt::math::TPoint3D& inWorld) const
+    {
+        return inWorld - m_origin;
+    }
+    [[nodiscard]] mrpt::math::TPoint3D inWorld(const mrpt::math::TPoint3D& inMap) const
+    {
+        return inMap + m_origin;
+    }
     void clear();
 
     /** \name Voxels
@@ -176,6 +196,7 @@ class SemanticVoxelMap
 
     MapOptions m_options;
     OccupancyFilter m_filter;
+    mrpt::math::TPoint3D m_origin;  //!< in the world [m]
     BlockMap<MapBlock> m_blocks;
     std::map<instance_id_t, Instance> m_instances;
     std::map<instance_id_t, instance_id_t> m_absorbed;  //!< id -> instance that took its evidence

@@ -40,7 +40,7 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
 
  public:
     /** Version of what is written to files. */
-    static constexpr uint8_t FORMAT = 3;
+    static constexpr uint8_t FORMAT = 4;
     /** The oldest version that is still read. */
     static constexpr uint8_t OLDEST_FORMAT = 2;
 
@@ -72,7 +72,10 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** What fills the map, made from the configuration when first needed.
      *  \throws PluginError, ConfigurationError */
     const SemanticMapper& mapper();
-    /** Adds a frame prepared by mapper(). \return its stage times */
+    /** Chooses the place of an empty map in the world, see SemanticVoxelMap::placeNear(). Comes
+     * before the first frame. \param pose of its robot, in the world */
+    void placeNear(const mrpt::poses::CPose3D& pose);
+    /** Adds a frame prepared by mapper() with a pose in the map's frame. \return its stage times */
     StageTimes integrate(PreparedFrame frame);
 
     /** Lets integrate() tell why it decides as it does, until the configuration changes.
@@ -97,7 +100,8 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** Writes `<prefix>.voxeland` (with waiting frames mapped, but for those that cannot be) and,
      * unless disabled in the generic map parameters, `<prefix>.3Dscene`. */
     void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
-    /** Centres of occupied voxels; valid until the map changes. */
+    /** Centres of occupied voxels; valid until the map changes. Null for a map with an origin of
+     * its own: floats lack the digits for its places in the world. */
     [[nodiscard]] const mrpt::maps::CSimplePointsMap* getAsSimplePointsMap() const override;
     /** The box around all occupied voxels [m]; all zero if there are none. (Overrides since MRPT
      * 2.11.3, which made it virtual.) */

@@ -35,7 +35,7 @@ class SharedVoxelMap
      * they derive from the map would not follow it. */
     SemanticVoxelMap& edit();
 
-    /** Centres of occupied voxels [m]; valid until the map changes. */
+    /** Centres of occupied voxels in the map's frame [m]; valid until the map changes. */
     [[nodiscard]] const mrpt::maps::CSimplePointsMap& points() const;
 
     /** Calls f(const PointsSlice&) with the centres of certain heights, one thread at a time. The
