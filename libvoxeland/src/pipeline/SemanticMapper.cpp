@@ -40,8 +40,7 @@ bool isInRange(const ObservedSpace& space)
 /** Stands for a frame that saw what cannot be stored. */
 PreparedFrame outOfRange(const RgbdFrame& frame, double resolution, const StageTimes& times)
 {
-    PreparedFrame nothing{VoxelizedFrame(resolution)};
-    nothing.times = times;
+    PreparedFrame nothing{VoxelizedFrame(resolution), {}, {}, false, times};
     nothing.time = frame.scan->timestamp;
     nothing.inRange = false;
     return nothing;
