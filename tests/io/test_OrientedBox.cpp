@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <set>
 
 using namespace voxeland;
 
@@ -75,6 +77,65 @@ TEST(OrientedBox, isUprightWhereverUpIs)
     EXPECT_NEAR(box.center.x, 0.05, 1e-9);
     EXPECT_NEAR(box.center.y, 0.15, 1e-9);
     EXPECT_NEAR(box.center.z, 0.4, 1e-9);
+}
+
+namespace
+{
+/** Least area over all angles, a tenth of a degree apart, of rectangles around voxels [edges^2]. */
+double leastAreaByTrying(const std::vector<VoxelCoord>& voxels)
+{
+    double least = INFINITY;
+    for (double angle = 0; angle < M_PI / 2; angle += M_PI / 1800) {
+        double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+        for (const VoxelCoord& v : voxels) {
+            const double x = std::cos(angle) * v.x + std::sin(angle) * v.y;
+            const double y = std::cos(angle) * v.y - std::sin(angle) * v.x;
+            x0 = std::min(x0, x);
+            x1 = std::max(x1, x);
+            y0 = std::min(y0, y);
+            y1 = std::max(y1, y);
+        }
+        least = std::min(least, (x1 - x0 + 1) * (y1 - y0 + 1));
+    }
+    return least;
+}
+}  // namespace
+
+TEST(OrientedBox, noTurnedRectangleIsSmaller)
+{
+    std::mt19937 random(6);
+    for (int run = 0; run < 50; ++run) {
+        std::uniform_int_distribution<int32_t> step(-1, 1);
+        std::vector<VoxelCoord> voxels = {{-7000, 3000, 5}};
+        std::set<VoxelCoord> met(voxels.begin(), voxels.end());
+        while (voxels.size() < 60) {  // a connected walk
+            const VoxelCoord next = voxels.back() + VoxelCoord{step(random), step(random), 0};
+            voxels.push_back(next);
+            met.insert(next);
+        }
+        voxels.assign(met.begin(), met.end());
+        const OrientedBox box = orientedBox(voxels, 1);
+        const double tried = leastAreaByTrying(voxels), area = box.size.x * box.size.y;
+        EXPECT_LE(area, tried * 1.0002) << run;
+        EXPECT_GE(area, tried * 0.98) << run << ": no rectangle can be that small";
+        EXPECT_GE(box.size.x, box.size.y * 0.999);
+        EXPECT_GT(box.yaw, -M_PI / 2 - 1e-9);
+        EXPECT_LE(box.yaw, M_PI / 2 + 1e-9);
+    }
+}
+
+TEST(OrientedBox, strayVoxelsDoNotStretchIt)
+{
+    std::vector<VoxelCoord> voxels;
+    for (int x = 0; x < 10; ++x)
+        for (int y = 0; y < 4; ++y) voxels.push_back({x, y, 0});
+    const OrientedBox alone = orientedBox(voxels, 0.1);
+    for (int x = 0; x < 3; ++x) voxels.push_back({30 + x, 20, 9});  // less than a tenth
+    const OrientedBox box = orientedBox(voxels, 0.1);
+    EXPECT_EQ(box.size, alone.size);
+    EXPECT_EQ(box.center, alone.center);
+    voxels.push_back({33, 20, 9});  // a tenth: a part of it
+    EXPECT_NEAR(orientedBox(voxels, 0.1).size.z, 1, 1e-9);
 }
 
 TEST(OrientedBox, onlyOccupiedVoxelsOfTheWinner)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TinyMap.h"
+#include "voxeland/grid/RayTraversal.h"
 #include "voxeland/io/UpDirection.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <functional>
 
 using namespace voxeland;
+using mrpt::math::TPoint3D;
 using mrpt::math::TVector3D;
 using mrpt::poses::CPose3D;
 
@@ -78,6 +80,39 @@ TEST(UpDirection, aWallAloneTellsNothing)
                 map.blocks().at(blockOf({x, y, z})).setOccupancy(cellOf({x, y, z}), -1000);
         }
     EXPECT_EQ(estimateUp(map).z, 1);
+}
+
+/** Two walls that meet in a corner, seen from where a camera stands: what is free ends in its rays
+ *  above and below. */
+SemanticVoxelMap twoWalls(double yaw, double tallest)
+{
+    MapOptions options;
+    options.resolution = 0.05;
+    SemanticVoxelMap map(options);
+    const CPose3D pose(0, 0, 0, yaw, 0, 0);
+    const TPoint3D camera = pose.composePoint({2, 2, 1.3});
+    std::vector<VoxelCoord> surface;
+    for (double along = 0; along < 3; along += 0.02)
+        for (double z = 0; z < tallest; z += 0.02)
+            for (const auto& p : {TPoint3D(along, 0, z), TPoint3D(0, along, z)}) {
+                const TPoint3D hit = pose.composePoint(p);
+                traverseRay(camera, hit, 1 / options.resolution, [&](const VoxelCoord& v) {
+                    map.blocks().at(blockOf(v)).setOccupancy(cellOf(v), -1000);
+                });
+                surface.push_back(map.voxelOf(hit));
+            }
+    for (const VoxelCoord& v : surface)
+        if (map.evidence(v) == nullptr) test::addVoxel(map, v, {{UNKNOWN_INSTANCE, 1}});
+    return map;
+}
+
+TEST(UpDirection, twoWallsWithoutAFloorTellNothing)
+{
+    for (const double yaw : {0.0, 0.2, 0.5, 0.9, 1.3, 2.0})
+        for (const double tallest : {0.6, 1.2, 2.5}) {
+            const TVector3D up = estimateUp(twoWalls(yaw, tallest));
+            EXPECT_EQ(up.z, 1) << yaw << " " << tallest << ": " << up.asString();
+        }
 }
 
 TEST(UpDirection, levelsATiltedWorld)

@@ -33,7 +33,7 @@ SceneNNAnnotation::SceneNNAnnotation(const std::string& sceneFolder)
     const GroundTruth truth = readSceneNNGroundTruth(sceneFolder);
     std::vector<std::pair<uint64_t, uint32_t>> vertices;  // cube, object
     for (size_t i = 0; i < truth.points.size(); ++i) {
-        const auto cube = [](float v) { return std::floor(static_cast<double>(v) / CUBE); };
+        const auto cube = [](double v) { return std::floor(v / CUBE); };
         const auto& p = truth.points[i];
         vertices.emplace_back(keyOf(cube(p.x), cube(p.y), cube(p.z)), truth.instance[i]);
         if (truth.instance[i] != 0)

@@ -15,7 +15,10 @@ constexpr double MAX_TILT = 45 * DEGREE;
 constexpr double MIN_TILT = 2 * DEGREE;  //!< less is not worth turning the map
 constexpr size_t ENOUGH = 10000;         //!< voxels looked at
 constexpr double CLEARLY = 1.1;          //!< how much better than +z a direction near it must be
-constexpr double OPTICAL = 8;            //!< how much better than near +z one near -y must be
+constexpr double LEAST_SHARE = 0.1;  //!< of all facets that must face up for it to be up: floors
+                                     //!< and tables have 0.15 to 0.45, what else there is 0.04
+constexpr double FACES_IT = 0.85;  //!< cosine between a facet and a direction that it faces
+constexpr double OPTICAL = 8;      //!< how much better than near +z one near -y must be
 
 /** A voxel and where it faces. */
 struct Facet
@@ -61,7 +64,6 @@ std::vector<Facet> sampleFacets(const SemanticVoxelMap& map)
 /** Sum of squares of the histogram of heights, in bins of one voxel, of what faces a direction. */
 double concentration(const std::vector<Facet>& facets, const TVector3D& up)
 {
-    constexpr double FACES_IT = 0.85;  // cosine
     std::vector<double> heights;
     for (const Facet& f : facets)
         if (dot(f.facing, up) > FACES_IT) heights.push_back(dot(f.position, up));
@@ -79,6 +81,17 @@ double concentration(const std::vector<Facet>& facets, const TVector3D& up)
     double sum = 0;
     for (const double n : histogram) sum += n * n;
     return sum;
+}
+
+/** Whether enough of all that shows where it faces does face a direction. */
+bool isFaced(const std::vector<Facet>& facets, const TVector3D& up)
+{
+    size_t facing = 0, all = 0;
+    for (const Facet& f : facets) {
+        all += f.facing != TVector3D(0, 0, 0) ? 1 : 0;
+        facing += dot(f.facing, up) > FACES_IT ? 1 : 0;
+    }
+    return static_cast<double>(facing) > LEAST_SHARE * static_cast<double>(all);
 }
 
 /** A direction and how good it is. */
@@ -120,11 +133,12 @@ TVector3D estimateUp(const SemanticVoxelMap& map)
     const std::vector<Facet> facets = sampleFacets(map);
     const Candidate best = bestNear(facets, z, x, y);
     const Candidate optical = bestNear(facets, y * -1.0, x, z);
-    if (optical.concentration > OPTICAL * best.concentration) return optical.up;
+    if (optical.concentration > OPTICAL * best.concentration && isFaced(facets, optical.up))
+        return optical.up;
     const bool clearlyBetter = best.concentration > CLEARLY * concentration(facets, z);
     // At the end of the search it is a wall that shows, not a floor.
     const bool isTilt =
         best.up.z < std::cos(MIN_TILT) && best.up.z > std::cos(MAX_TILT - 1 * DEGREE);
-    return clearlyBetter && isTilt ? best.up : z;
+    return clearlyBetter && isTilt && isFaced(facets, best.up) ? best.up : z;
 }
 }  // namespace voxeland

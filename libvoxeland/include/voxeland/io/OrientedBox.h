@@ -11,15 +11,17 @@ namespace voxeland
 struct OrientedBox
 {
     mrpt::math::TPoint3D center;  //!< [m]
-    mrpt::math::TPoint3D size;    //!< along its own x (the longer spread), y, and up [m]
+    mrpt::math::TPoint3D size;    //!< along its own x (the longer side), y, and up [m]
     double yaw = 0;   //!< from the x axis of the level frame to the box's, in (-pi/2, pi/2] [rad]
     LevelFrame axes;  //!< the directions of its sides, the last one being up
 };
 
-/** The box around these voxels, in the map's frame. Its x axis is the direction in which the
- * voxels' centres spread most in the horizontal plane (principal component); half a voxel is added
- * on each side. \param voxels not empty \param resolution edge [m] \param frame tells what is
- * horizontal */
+/** The box around the main part of an object, in the map's frame: the upright box whose rectangle
+ * in the plan has the least area, its x axis along the longer side; of equal ones, the one turned
+ * least. The main part are the connected parts (by faces, edges or corners of voxels) that have at
+ * least a tenth as many voxels as the largest: stray voxels do not stretch the box. It encloses the
+ * voxels' centres, and half an edge is added on each side. \param voxels not empty \param
+ * resolution edge [m] \param frame tells what is horizontal */
 OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution,
                         const LevelFrame& frame = LevelFrame());
 
