@@ -125,7 +125,11 @@ TEST_F(Rawlog2voxeland, ResumingOverFramesOfTheMapIsSaidOnce)
     const auto resumed = [&](const std::string& from) {
         auto options = strict;
         options.insert(options.end(), {"--resume", first, "--from", from});
-        return run(options).errors;
+        std::string said = run(options).errors;
+        const size_t withoutPose = said.find("rawlog2voxeland: warning: 1 frame left out without");
+        if (withoutPose != std::string::npos)
+            said.erase(withoutPose, said.find('\n', withoutPose) + 1 - withoutPose);
+        return said;
     };
     mapMade("first.voxeland", {"--to", "5", strict[0], strict[1]});
     EXPECT_EQ(resumed("6"), "");
@@ -349,9 +353,13 @@ TEST_F(Rawlog2voxeland, ReadsATrajectoryInsteadOfTheRawlogsPoses)
     EXPECT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_NE(result.output.find("3 mapped"), std::string::npos) << result.output;
 
-    writeFile(out(), EARLIER);
     writeFile(m_folder.file("given.tum"), track + "1004 0 0 1 0 0 0 7\n");
-    expectFailure(run({"--poses", m_folder.file("given.tum")}), 3, {"given.tum", "line 5"});
+    const auto odd = run({"--poses", m_folder.file("given.tum")});
+    EXPECT_EQ(odd.exitCode, 0) << odd.errors;
+    EXPECT_NE(odd.errors.find("line 5 of the trajectory"), std::string::npos) << odd.errors;
+    writeFile(out(), EARLIER);
+    expectFailure(run({"--poses", m_folder.file("given.tum"), "--strict"}), 3,
+                  {"given.tum", "line 5"});
 }
 
 TEST_F(Rawlog2voxeland, TheDumpedConfigurationIsOneThatItTakes)

@@ -39,6 +39,13 @@ TEST(Numbers, TextIsShortAndReadsBack)
         EXPECT_EQ(parsed<double>(numberText(value)), value);
 }
 
+TEST(Numbers, LengthsAreToTheMicrometre)
+{
+    EXPECT_EQ(metresText(3 * 0.05), "0.15");
+    EXPECT_EQ(metresText(5572093.850000001), "5572093.85");
+    EXPECT_EQ(metresText(-1.23456789), "-1.234568");
+}
+
 TEST(Numbers, FixedTextHasItsDecimals)
 {
     EXPECT_EQ(fixedText(2.5, 2), "2.50");

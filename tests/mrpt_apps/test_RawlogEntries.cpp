@@ -59,8 +59,9 @@ TEST(RawlogEntries, ScansOfASensoryFrameNeedNotBeInOrderOfTime)
     for (const auto& observation : *entry->frame)
         if (std::dynamic_pointer_cast<CObservationInstances>(observation))
             times.push_back(observation->timestamp);
-    EXPECT_EQ(times, (std::vector<mrpt::Clock::time_point>{frames[0].instances->timestamp,
-                                                           frames[1].instances->timestamp}));
+    EXPECT_EQ(times, (std::vector<mrpt::Clock::time_point>{frames[1].instances->timestamp,
+                                                           frames[0].instances->timestamp}))
+        << "each after its scan";
     EXPECT_EQ(entries.objectsRead(), 2U);
     EXPECT_FALSE(entries.next());
 }

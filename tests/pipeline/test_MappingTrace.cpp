@@ -60,7 +60,7 @@ TEST(MappingTrace, TellsOfEveryOpinionAndChangesNothing)
     ASSERT_FALSE(lines.empty());
     const json& thresholds = lines[0].at("thresholds");
     EXPECT_EQ(thresholds.at("association").at("tau_iou"), 0.375);
-    EXPECT_EQ(thresholds.at("association").at("plugin"), "evidential_association");
+    EXPECT_EQ(thresholds.at("association").at("class"), "CEvidentialAssociation");
     EXPECT_EQ(thresholds.at("refinement").at("merge_ios"), 0.625);
     EXPECT_EQ(thresholds.at("refinement").at("continuity"), false);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -39,6 +40,13 @@ inline std::string numberText(double value)
         if (parsed<double>(text) == value) break;
     }
     return text;
+}
+
+/** A length to the micrometre, without the last digits of products such as 19773 * 0.05. */
+inline std::string metresText(double metres)
+{
+    constexpr double MICROMETRES = 1e6;
+    return numberText(std::round(metres * MICROMETRES) / MICROMETRES);
 }
 
 /** A number with so many decimals: fixedText(2.5, 2) is "2.50". */

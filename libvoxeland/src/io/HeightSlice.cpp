@@ -86,12 +86,6 @@ float columnOccupancy(const SemanticVoxelMap& map, const LevelFrame& frame,
     return static_cast<float>(OccupancyFilter::probability(most));
 }
 
-/** Metres to the nanometre: without the last digits of products such as 19773 * 0.05. */
-std::string metresText(double metres)
-{
-    constexpr double NANOMETRES = 1e9;
-    return numberText(std::round(metres * NANOMETRES) / NANOMETRES);
-}
 }  // namespace
 
 HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,

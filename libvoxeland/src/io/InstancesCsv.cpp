@@ -35,7 +35,7 @@ void exportCsv(const SemanticVoxelMap& map, const LevelFrame& frame, const std::
                 << "," << s.vacuity << "," << s.geometricEntropy << "," << s.observations << ","
                 << s.voxels;
             for (const auto* p : {&s.centroid, &s.boxMin, &s.boxMax, &box.center, &box.size})
-                for (const double x : {p->x, p->y, p->z}) out << "," << numberText(x);
+                for (const double x : {p->x, p->y, p->z}) out << "," << metresText(x);
             out << "," << box.yaw << "\n";
         }
     });

@@ -17,8 +17,8 @@ constexpr size_t ENOUGH = 10000;         //!< voxels looked at
 constexpr double CLEARLY = 1.1;          //!< how much better than +z a direction near it must be
 constexpr double LEAST_SHARE = 0.1;  //!< of all facets that must face up for it to be up: floors
                                      //!< and tables have 0.15 to 0.45, what else there is 0.04
-constexpr double FACES_IT = 0.85;  //!< cosine between a facet and a direction that it faces
-constexpr double OPTICAL = 8;      //!< how much better than near +z one near -y must be
+constexpr double FACES_IT = 0.85;    //!< cosine between a facet and a direction that it faces
+constexpr double OPTICAL = 8;        //!< how much better than near +z one near -y must be
 
 /** A voxel and where it faces. */
 struct Facet
@@ -131,14 +131,15 @@ TVector3D estimateUp(const SemanticVoxelMap& map)
 {
     const TVector3D x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     const std::vector<Facet> facets = sampleFacets(map);
+    // At the end of the search it is a wall that shows, not a floor.
+    const auto isFound = [&](const Candidate& c, const TVector3D& axis) {
+        return dot(c.up, axis) > std::cos(MAX_TILT - 1 * DEGREE) && isFaced(facets, c.up);
+    };
     const Candidate best = bestNear(facets, z, x, y);
     const Candidate optical = bestNear(facets, y * -1.0, x, z);
-    if (optical.concentration > OPTICAL * best.concentration && isFaced(facets, optical.up))
+    if (optical.concentration > OPTICAL * best.concentration && isFound(optical, y * -1.0))
         return optical.up;
     const bool clearlyBetter = best.concentration > CLEARLY * concentration(facets, z);
-    // At the end of the search it is a wall that shows, not a floor.
-    const bool isTilt =
-        best.up.z < std::cos(MIN_TILT) && best.up.z > std::cos(MAX_TILT - 1 * DEGREE);
-    return clearlyBetter && isTilt && isFaced(facets, best.up) ? best.up : z;
+    return clearlyBetter && best.up.z < std::cos(MIN_TILT) && isFound(best, z) ? best.up : z;
 }
 }  // namespace voxeland

@@ -43,7 +43,7 @@ class PlacedFrames
 void checkSomethingMapped(const RawlogFrameSource& source, const MappingCounts& before,
                           const MappingCounts& now)
 {
-    if (now.frames > before.frames || source.stoppedBefore()) return;
+    if (now.frames > before.frames) return;
     if (source.framesMet() == 0)
         throw NothingToMapError(
             "the rawlog holds no CObservation3DRangeScan of the sensor to map: check "
@@ -120,10 +120,12 @@ MappedInput mapRawlog(
             onFrame(time, map.integrate(std::move(*frame)));
         }
     }
-    const bool mapped = map.counts().frames > before.frames;
-    if (!mapped && met.leftOut.count() > 0) failWithoutFrames(met.leftOut, unreadable);
-    checkSomethingMapped(source, before, map.counts());
-    if (mapped) checkDepths(met.depths, map.mapper().config().input.depth);
+    if (!source.stoppedBefore()) {
+        const bool mapped = map.counts().frames > before.frames;
+        if (!mapped && met.leftOut.count() > 0) failWithoutFrames(met.leftOut, unreadable);
+        checkSomethingMapped(source, before, map.counts());
+        checkDepths(met.depths, map.mapper().config().input.depth);
+    }
     map.addSkipped(source.skipped());
     return met;
 }
