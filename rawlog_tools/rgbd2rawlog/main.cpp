@@ -63,7 +63,8 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<size_t> every{
         "", "every", "Take every so-manieth frame only (default: 1)", false, 1, "N", parser()};
     TCLAP::SwitchArg strict{
-        "", "strict", "Frames that cannot be used, odd predictions and odd lines of lists are errors", parser()};
+        "", "strict",
+        "Frames that cannot be used, odd predictions and odd lines of lists are errors", parser()};
     TCLAP::ValueArg<std::string> poseAxes{
         "",
         "pose-axes",

@@ -91,6 +91,16 @@ void checkDepths(const DepthsMet& met, const DepthLimits& limits)
 }
 }  // namespace
 
+void SurfaceAgreement::add(const VoxelizedFrame& frame, const SemanticVoxelMap& map)
+{
+    constexpr size_t SAMPLED = 8;  // one hit voxel in so many
+    for (size_t h = 0; h < frame.hits().size(); h += SAMPLED) {
+        const log_odds_t before = map.occupancy(frame.hits()[h].coord);
+        if (OccupancyFilter::isOccupied(before)) ++agreeing;
+        if (OccupancyFilter::isFree(before)) ++contradicting;
+    }
+}
+
 MappedInput mapRawlog(
     RawlogFrameSource& source, CVoxelandMap& map,
     const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame,
@@ -117,6 +127,7 @@ MappedInput mapRawlog(
             const auto time = frame->time;
             met.depths.add(frame->voxels.depths());
             met.opinions += frame->opinions.size();
+            met.surfaces.add(frame->voxels, map.map());
             onFrame(time, map.integrate(std::move(*frame)));
         }
     }

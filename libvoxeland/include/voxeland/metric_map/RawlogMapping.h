@@ -9,6 +9,22 @@
 
 namespace voxeland
 {
+/** Whether the surfaces that frames measure are where those before them measured some. */
+struct SurfaceAgreement
+{
+    uint64_t agreeing = 0;       //!< hit voxels that were occupied before
+    uint64_t contradicting = 0;  //!< hit voxels that were free before
+
+    /** Looks up some of the voxels that a frame hits, before it is mapped. */
+    void add(const VoxelizedFrame& frame, const SemanticVoxelMap& map);
+    [[nodiscard]] uint64_t known() const { return agreeing + contradicting; }
+    /** Share of those known before that contradict, in [0,1]. */
+    [[nodiscard]] double contradiction() const
+    {
+        return known() == 0 ? 0 : static_cast<double>(contradicting) / static_cast<double>(known());
+    }
+};
+
 /** What mapRawlog() met. */
 struct MappedInput
 {
@@ -16,6 +32,7 @@ struct MappedInput
     DepthsMet depths;          //!< of all frames mapped
     uint64_t predictions = 0;  //!< of the frames that have a pose
     uint64_t opinions = 0;     //!< that they became
+    SurfaceAgreement surfaces;
 };
 
 /** Maps all frames of a rawlog, which are read and prepared ahead in several threads. A frame
