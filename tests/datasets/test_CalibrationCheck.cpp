@@ -67,6 +67,34 @@ TEST_F(CalibrationCheckTest, FindsInvertedPoses)
     EXPECT_EQ(check(mended).verdict, Verdict::consistent);
 }
 
+TEST_F(CalibrationCheckTest, FindsTheAxesOfThePoses)
+{
+    write(40);  // of optical axes
+    for (const PoseAxes taken : {PoseAxes::opengl, PoseAxes::body}) {
+        DatasetOptions options;
+        options.poseAxes = taken;
+        const auto finding = check(options);
+        EXPECT_EQ(finding.verdict, Verdict::contradiction);
+        EXPECT_EQ(finding.best.axes, PoseAxes::optical);
+        EXPECT_FALSE(finding.best.invertPoses);
+        expectSays(finding, "--pose-axes optical");
+    }
+}
+
+TEST_F(CalibrationCheckTest, FindsAxesAndInversionTogether)
+{
+    write(40, true);
+    DatasetOptions options;
+    options.poseAxes = PoseAxes::opengl;
+    const auto finding = check(options);
+    EXPECT_EQ(finding.best.axes, PoseAxes::optical);
+    EXPECT_TRUE(finding.best.invertPoses);
+    expectSays(finding, "--pose-axes optical and add --invert-poses");
+    options = DatasetOptions();
+    options.invertPoses = true;
+    EXPECT_EQ(check(options).verdict, Verdict::consistent);
+}
+
 TEST_F(CalibrationCheckTest, FindsAWrongDepthScale)
 {
     write(40, false, 5000);

@@ -16,7 +16,12 @@ namespace voxeland
 {
 namespace
 {
+using mrpt::poses::CPose3D;
 using Verdict = CalibrationFinding::Verdict;
+
+/** Each with its name as --pose-axes takes it. */
+const std::map<PoseAxes, std::string> POSE_AXES = {
+    {PoseAxes::optical, "optical"}, {PoseAxes::opengl, "opengl"}, {PoseAxes::body, "body"}};
 
 constexpr std::array<double, 8> DEPTH_SCALES = {1, 100, 256, 1000, 2000, 5000, 6553.5, 10000};
 constexpr std::array<double, 8> FOCAL_FACTORS = {0.5, 0.7, 0.8, 0.9, 1.1, 1.25, 1.4, 2};
@@ -29,14 +34,16 @@ constexpr size_t MIN_POINTS = 100;  // comparable ones
 class Comparison
 {
  public:
-    explicit Comparison(const CalibrationReading& reading) : m_reading(reading) {}
+    /** \param given the axes that the pairs' poses were read by */
+    Comparison(const CalibrationReading& reading, PoseAxes given)
+        : m_reading(reading), m_given(given)
+    {
+    }
 
     void add(const FramePair& pair)
     {
         const auto& camera = pair.second->cameraParams;
-        const mrpt::poses::CPose3D fromFirst = m_reading.invertPoses
-                                                   ? pair.secondPose + -pair.firstPose
-                                                   : pair.firstPose - pair.secondPose;
+        const CPose3D fromFirst = read(pair.firstPose) - read(pair.secondPose);
         const double f = m_reading.focalFactor;
         m_sampled += pair.first.size();
         for (const SampledPixel& pixel : pair.first) {
@@ -61,6 +68,16 @@ class Comparison
     }
 
  private:
+    /** A camera-to-world pose of optical axes as it is if this reading is right. */
+    [[nodiscard]] CPose3D read(const CPose3D& optical) const
+    {
+        if (!m_reading.invertPoses && m_reading.axes == m_given) return optical;
+        const CPose3D inSensor = poseOfAxes(PoseAxes::optical);
+        CPose3D inFile = optical + -inSensor + poseOfAxes(m_given);
+        if (m_reading.invertPoses) inFile = -inFile;
+        return inFile + -poseOfAxes(m_reading.axes) + inSensor;
+    }
+
     void compare(double expected, const std::array<double, 2>& pixel, const FramePair& pair)
     {
         const auto& image = pair.second->rangeImage;
@@ -83,14 +100,22 @@ class Comparison
     }
 
     CalibrationReading m_reading;
+    PoseAxes m_given;
     std::vector<double> m_errors, m_relative;
     size_t m_sampled = 0;
 };
 
-CalibrationReading measured(const CalibrationReading& reading, const std::vector<FramePair>& pairs)
+/** The pairs of a sample, and the axes that their poses were read by. */
+struct Sample
 {
-    Comparison comparison(reading);
-    for (const FramePair& pair : pairs) comparison.add(pair);
+    const std::vector<FramePair>& pairs;
+    PoseAxes axes;
+};
+
+CalibrationReading measured(const CalibrationReading& reading, const Sample& sample)
+{
+    Comparison comparison(reading, sample.axes);
+    for (const FramePair& pair : sample.pairs) comparison.add(pair);
     return comparison.result();
 }
 
@@ -99,43 +124,51 @@ const CalibrationReading& better(const CalibrationReading& a, const CalibrationR
     return b.relative < a.relative ? b : a;
 }
 
-void compareReadings(CalibrationFinding& finding, const std::vector<FramePair>& pairs)
+void compareReadings(CalibrationFinding& finding, const Sample& sample)
 {
     CalibrationReading inverted = finding.asGiven;
     inverted.invertPoses = true;
-    finding.asGiven = measured(finding.asGiven, pairs);
-    finding.invertedPoses = measured(inverted, pairs);
+    finding.asGiven = measured(finding.asGiven, sample);
+    finding.invertedPoses = measured(inverted, sample);
     finding.best = better(finding.asGiven, finding.invertedPoses);
+    for (const auto& [axes, name] : POSE_AXES)
+        for (CalibrationReading reading : {finding.asGiven, inverted}) {
+            if (axes == sample.axes) continue;
+            reading.axes = axes;
+            finding.otherAxes = better(finding.otherAxes, measured(reading, sample));
+        }
+    finding.best = better(finding.best, finding.otherAxes);
     for (const double scale : DEPTH_SCALES) {
         if (std::abs(scale / finding.asGiven.depthScale - 1) < 1e-3) continue;
         for (CalibrationReading reading : {finding.asGiven, inverted}) {
-            reading = {reading.invertPoses, scale};
-            reading = measured(reading, pairs);
+            reading = measured({reading.invertPoses, sample.axes, scale}, sample);
             finding.best = better(finding.best, reading);
             if (!reading.invertPoses)
                 finding.otherDepthScale = better(finding.otherDepthScale, reading);
         }
     }
     for (const double factor : FOCAL_FACTORS) {
-        const auto reading = measured({false, finding.asGiven.depthScale, factor}, pairs);
+        const auto reading =
+            measured({false, sample.axes, finding.asGiven.depthScale, factor}, sample);
         finding.otherFocalLength = better(finding.otherFocalLength, reading);
     }
     finding.best = better(finding.best, finding.otherFocalLength);
 }
 
 /** What makes a reading another one than that given. */
-std::string difference(const CalibrationReading& reading, double givenScale)
+std::string difference(const CalibrationReading& reading, const CalibrationReading& given)
 {
     std::ostringstream text;
-    if (reading.invertPoses) text << "inverted poses";
-    if (reading.depthScale != givenScale) text << "a depth scale of " << reading.depthScale;
+    if (reading.axes != given.axes) text << "poses of " << POSE_AXES.at(reading.axes) << " axes";
+    if (reading.invertPoses) text << (reading.axes != given.axes ? ", inverted" : "inverted poses");
+    if (reading.depthScale != given.depthScale) text << "a depth scale of " << reading.depthScale;
     if (reading.focalFactor != 1)
         text << "focal lengths " << reading.focalFactor << " times as long";
     return text.str();
 }
 
 /** What is wrong if this reading is right, and what to do. */
-std::string remedy(const CalibrationReading& reading, double givenScale)
+std::string remedy(const CalibrationReading& reading, const CalibrationReading& given)
 {
     std::ostringstream text;
     if (reading.focalFactor != 1) {
@@ -143,12 +176,17 @@ std::string remedy(const CalibrationReading& reading, double givenScale)
              << " times as long: give the camera with --intrinsics";
         return text.str();
     }
-    const bool scaled = reading.depthScale != givenScale;
-    if (reading.invertPoses)
+    const bool scaled = reading.depthScale != given.depthScale;
+    if (reading.axes != given.axes)
+        text << "the poses are those of " << POSE_AXES.at(reading.axes)
+             << (reading.invertPoses ? " axes and the wrong way round" : " axes")
+             << ": use --pose-axes " << POSE_AXES.at(reading.axes)
+             << (reading.invertPoses ? " and add --invert-poses, or leave it out" : "");
+    else if (reading.invertPoses)
         text << "the poses are the wrong way round: add --invert-poses, or leave it out";
     if (scaled)
         text << (reading.invertPoses ? "; and " : "") << "the depth scale is " << reading.depthScale
-             << ", not " << givenScale << ": use --depth-scale " << reading.depthScale;
+             << ", not " << given.depthScale << ": use --depth-scale " << reading.depthScale;
     return text.str();
 }
 
@@ -157,21 +195,21 @@ void judge(CalibrationFinding& f)
     const double given = f.asGiven.relative;
     if (f.best.relative <= GOOD && given > AS_GOOD * f.best.relative) {
         f.verdict = Verdict::contradiction;
-        f.sentence = remedy(f.best, f.asGiven.depthScale);
+        f.sentence = remedy(f.best, f.asGiven);
     } else if (!(given <= GOOD)) {
         f.verdict = Verdict::contradiction;
         f.sentence =
-            "the frames do not agree, and neither other depth scales nor inverted poses explain it:"
+            "the frames do not agree, and neither other depth scales, axes nor inverted poses "
+            "explain it:"
             " the intrinsics or the poses are wrong, or things move";
     } else {
-        const CalibrationReading& other =
-            better(better(f.invertedPoses, f.otherDepthScale), f.otherFocalLength);
+        const CalibrationReading& other = better(
+            better(better(f.invertedPoses, f.otherAxes), f.otherDepthScale), f.otherFocalLength);
         const bool clear = other.relative > AS_GOOD * given;
         f.verdict = clear ? Verdict::consistent : Verdict::undecided;
-        f.sentence = clear
-                         ? "depth scale, intrinsics and poses hold together"
-                         : "nothing contradicts depth scale, intrinsics and poses, but " +
-                               difference(other, f.asGiven.depthScale) + " would fit about as well";
+        f.sentence = clear ? "depth scale, intrinsics and poses hold together"
+                           : "nothing contradicts depth scale, intrinsics and poses, but " +
+                                 difference(other, f.asGiven) + " would fit about as well";
     }
 }
 }  // namespace
@@ -185,7 +223,8 @@ CalibrationFinding checkCalibration(const RgbdDatasetReader& dataset,
     finding.pairs = pairs.size();
     if (!pairs.empty()) {
         finding.asGiven.depthScale = 1 / static_cast<double>(pairs.front().second->rangeUnits);
-        compareReadings(finding, pairs);
+        finding.asGiven.axes = dataset.poseAxes();
+        compareReadings(finding, {pairs, dataset.poseAxes()});
     }
     const bool comparable = std::isfinite(finding.best.relative);
     if (comparable)

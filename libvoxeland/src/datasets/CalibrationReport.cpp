@@ -40,6 +40,7 @@ std::string CalibrationFinding::text() const
             << counted(asGiven.points, "point") << ", median disagreement\n";
         print(out, titled("as given (depth scale ", asGiven.depthScale), asGiven);
         print(out, "poses inverted", invertedPoses);
+        print(out, "best other axes of poses", otherAxes);
         print(out, titled("best other depth scale (", otherDepthScale.depthScale), otherDepthScale);
         print(out, titled("best other focal length (x ", otherFocalLength.focalFactor),
               otherFocalLength);

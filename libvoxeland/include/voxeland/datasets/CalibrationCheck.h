@@ -14,8 +14,9 @@ namespace voxeland
 struct CalibrationReading
 {
     bool invertPoses = false;  //!< the other way round than the dataset was opened
-    double depthScale = 0;     //!< numbers in a depth image that make a metre
-    double focalFactor = 1;    //!< of both focal lengths
+    PoseAxes axes = PoseAxes::optical;
+    double depthScale = 0;   //!< numbers in a depth image that make a metre
+    double focalFactor = 1;  //!< of both focal lengths
 
     /** Median distance, along the line of sight, between a surface as one frame measured it and as
      *  the other did [m]; infinite if too few points can be compared. */
@@ -40,6 +41,7 @@ struct CalibrationFinding
     std::map<std::string, size_t> unusable;  //!< frames of the sample left out, by reason
     CalibrationReading asGiven;
     CalibrationReading invertedPoses;     //!< all else as given
+    CalibrationReading otherAxes;         //!< the best of the poses' other axes, inverted or not
     CalibrationReading otherDepthScale;   //!< the best of the common ones
     CalibrationReading otherFocalLength;  //!< the best of some factors
     CalibrationReading best;              //!< of all, poses and scale also wrong together
@@ -52,10 +54,9 @@ struct CalibrationFinding
 
 /** Do depth scale, intrinsics and pose convention of a dataset hold together? Reads a sample of the
  *  selected frames, lays the surfaces that one frame measured into another one taken nearby, and
- *  compares the depths: as the dataset is read now, with its poses inverted, with other common
- *  depth scales and with other focal lengths.
- *  \param progress called after each frame with the number read
- *  \throws InputError as the reader does */
+ *  compares the depths: as the dataset is read now, with its poses inverted, with poses of other
+ * axes, with other common depth scales and with other focal lengths. \param progress called after
+ * each frame with the number read \throws InputError as the reader does */
 CalibrationFinding checkCalibration(const RgbdDatasetReader& dataset,
                                     const std::function<void(size_t read)>& progress);
 }  // namespace voxeland

@@ -67,6 +67,9 @@ class RgbdDatasetReader
      *  each, for the user. */
     [[nodiscard]] const std::vector<std::string>& notes() const { return m_notes; }
 
+    /** What its poses are taken to be of. */
+    [[nodiscard]] PoseAxes poseAxes() const { return m_options.poseAxes; }
+
  protected:
     explicit RgbdDatasetReader(const DatasetOptions& options) : m_options(options) {}
 
