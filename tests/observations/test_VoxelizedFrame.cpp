@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Frames.h"
 #include "voxeland/errors.h"
+#include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/observations/VoxelizedFrame.h"
 
 #include <gtest/gtest.h>
@@ -279,4 +280,18 @@ TEST(VoxelizedFrame, PredictionsForImagesOfAnotherSizeAreRefused)
         EXPECT_NE(std::string(e.what()).find("80x60"), std::string::npos);
         EXPECT_NE(std::string(e.what()).find("'camera'"), std::string::npos);
     }
+}
+
+TEST(VoxelizedFrame, ACameraOfAnotherSizeIsRefused)
+{
+    auto scan = test::makeScan([](int, int) { return 1.0; });
+    scan->cameraParams.cx(test::COLUMNS);  // as of twice the width
+    try {
+        VoxelizedFrame({scan, nullptr, {}}, 0.05, {});
+        FAIL() << "nothing was thrown";
+    } catch (const UnusableFrame& e) {
+        EXPECT_NE(std::string(e.what()).find("of another size"), std::string::npos) << e.what();
+    }
+    scan->cameraParams.cx(0.2 * test::COLUMNS);  // cut out of a larger image
+    EXPECT_NO_THROW(VoxelizedFrame({scan, nullptr, {}}, 0.05, {}));
 }

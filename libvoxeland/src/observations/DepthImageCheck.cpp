@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthImageCheck.h"
 
+#include "voxeland/numbers.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -13,6 +14,17 @@ using mrpt::obs::CObservation3DRangeScan;
 
 namespace voxeland
 {
+namespace
+{
+/** Whether a coordinate of the principal point may be one of an image that long: not at its border,
+ *  where that of an image of twice the size lies. */
+bool isWellInside(double coordinate, unsigned pixels)
+{
+    constexpr double BORDER = 0.1;
+    return coordinate > BORDER * pixels && coordinate < (1 - BORDER) * pixels;
+}
+}  // namespace
+
 std::string frameName(const mrpt::obs::CObservation& o)
 {
     return "frame '" + o.sensorLabel + "' of " + mrpt::system::dateTimeToString(o.timestamp);
@@ -38,5 +50,10 @@ void checkDepthImage(const CObservation3DRangeScan& scan)
         throw UnusableFrame(frameName(scan) +
                             " has an invalid calibration or depth unit: correct its "
                             "cameraParams and rangeUnits");
+    if (!isWellInside(camera.cx(), camera.ncols) || !isWellInside(camera.cy(), camera.nrows))
+        throw UnusableFrame(frameName(scan) + " has a principal point at (" +
+                            fixedText(camera.cx(), 1) + ", " + fixedText(camera.cy(), 1) +
+                            ") of an image of " + sizeText(camera.ncols, camera.nrows) +
+                            " pixels: its cameraParams are those of another size, correct them");
 }
 }  // namespace voxeland
