@@ -139,7 +139,7 @@ void printSummary(const CVoxelandMap& map, const TimingLog& timing)
 /** Warns of a frame that the resumed map was made from. \param before what was mapped then */
 void warnOfRepetition(Arguments& arguments, const MappingCounts& before)
 {
-    const uint32_t met = before.frames + before.framesWithoutPose + before.framesOutOfRange;
+    const uint32_t met = before.frames + before.framesWithoutPose;
     arguments.warn("frames of this rawlog are in '" + arguments.resume.getValue() +
                    "' already and now count twice; it was made from " + counted(met, "frame") +
                    ": if they are the first of this rawlog, go on with --from " +

@@ -83,8 +83,9 @@ struct Arguments : apps::CommandLine
         "",  "min-voxels", "Take instances of fewer occupied voxels for unknown", false, 0,
         "N", parser()};
     TCLAP::ValueArg<std::string> from{
-        "",      "from",  "Where --find measures distances from (default: the origin)", false, "",
-        "X,Y,Z", parser()};
+        "",      "from", "Where --find measures distances from (default: the map's origin)",
+        false,   "",     "X,Y,Z",
+        parser()};
     TCLAP::ValueArg<std::string> at{
         "",      "at", "Occupancy, instances, categories and entropies of the voxel at a place",
         false,   "",   "X,Y,Z",
@@ -125,8 +126,8 @@ std::string instances(Arguments& arguments, const CVoxelandMap& loaded)
 {
     const SemanticVoxelMap& map = loaded.map();
     const bool finds = arguments.find.isSet();
-    const auto origin = arguments.from.isSet() ? apps::parsePoint("from", arguments.from.getValue())
-                                               : mrpt::math::TPoint3D();
+    const auto origin =
+        arguments.from.isSet() ? apps::parsePoint("from", arguments.from.getValue()) : map.origin();
     const auto found =
         finds ? findInstances(map, arguments.find.getValue(), origin) : listInstances(map);
     if (found.empty() && finds) arguments.note(foundInstead(loaded, arguments.find.getValue()));

@@ -105,20 +105,24 @@ TEST(FarFromOrigin, rawlogsAreMappedAsObservationsAre)
 
 TEST(FarFromOrigin, framesTheMapCannotHoldAreLeftOutAndCounted)
 {
-    CVoxelandMap map = mapAt({});
-    const auto before = voxelsFrom(map.map(), {});
-    // 2^20 voxels of 5 cm are 52428.8 m: the camera is inside, what it sees is not; then neither.
-    auto frames = framesAt({52428, 0, 0}, 1);
-    for (const TPoint3D& place : {UTM, TPoint3D(1e9 - 100, 0, 0)})
-        frames.push_back(framesAt(place, 1)[0]);
-    for (size_t i = 0; i < frames.size(); ++i)
-        frames[i].scan->timestamp = frames[i].instances->timestamp =
-            mrpt::Clock::fromDouble(2000 + static_cast<double>(i));
-    insert(map, frames);
-    map.flush();
-    EXPECT_EQ(map.counts().framesOutOfRange, 3U);
+    // 2^20 voxels of 5 cm are 52428.8 m: the first camera is inside, what it sees is not.
+    auto frames = framesAt({});
+    for (const TPoint3D& place : {TPoint3D(52428, 0, 0), UTM, TPoint3D(9e8, 0, 0)}) {
+        SmallFrame f = framesAt(place, 1)[0];
+        f.pose->timestamp = f.scan->timestamp = f.instances->timestamp =
+            mrpt::Clock::fromDouble(2000 + static_cast<double>(frames.size()));
+        frames.push_back(f);
+    }
+    const test::TemporaryFolder folder;
+    test::writeRawlog(folder.file("leaves.rawlog"), frames);
+    CVoxelandMap map{MapperConfig()};
+    RawlogFrameSource source(folder.file("leaves.rawlog"),
+                             map.withCamera(map.mapper().config().input), {});
+    const MappedInput met = mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+    EXPECT_EQ(met.leftOut.count(), 3U);
+    EXPECT_NE(met.leftOut.first().find("farther off than the map can hold"), std::string::npos);
     EXPECT_EQ(map.counts().frames, 8U);
-    expectSame(voxelsFrom(map.map(), {}), before);
+    expectSame(voxelsFrom(map.map(), {}), voxelsFrom(mapAt({}).map(), {}));
 }
 
 TEST(FarFromOrigin, likelihoodsAreTheSame)

@@ -30,7 +30,6 @@ std::string asJson(const SemanticVoxelMap& map, const MapOverview& o)
                    {"frames", o.counts.frames},
                    {"frames_without_predictions", o.counts.framesWithoutPredictions},
                    {"frames_without_pose", o.counts.framesWithoutPose},
-                   {"frames_out_of_range", o.counts.framesOutOfRange},
                    {"opinions", o.counts.opinions},
                    {"instances", o.instances},
                    {"dismissed", o.dismissed},

@@ -40,13 +40,9 @@ std::string asText(const MapOverview& o)
     text += format("memory         %.1f MB; %.1f bytes a free voxel, %.1f a surface voxel\n",
                    static_cast<double>(o.memory.bytes) / 1e6, o.memory.bytesPerFreeVoxel(),
                    o.memory.bytesPerSurfaceVoxel());
-    text +=
-        format("frames         %u mapped, %u of them without predictions, %u left out without pose",
-               o.counts.frames, o.counts.framesWithoutPredictions, o.counts.framesWithoutPose);
-    if (o.counts.framesOutOfRange > 0)
-        text +=
-            format(", %u left out as farther off than the map can hold", o.counts.framesOutOfRange);
-    text += "\n";
+    text += format(
+        "frames         %u mapped, %u of them without predictions, %u left out without pose\n",
+        o.counts.frames, o.counts.framesWithoutPredictions, o.counts.framesWithoutPose);
     text += format("instances      %zu, from %s", o.instances,
                    counted(o.counts.opinions, "opinion").c_str());
     if (o.dismissed > 0) text += format("; %zu more count as unknown", o.dismissed);

@@ -85,7 +85,6 @@ float columnOccupancy(const SemanticVoxelMap& map, const LevelFrame& frame,
         most = std::max(most, map.occupancyAt(frame.toMap({x, y, z})));
     return static_cast<float>(OccupancyFilter::probability(most));
 }
-
 }  // namespace
 
 HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,

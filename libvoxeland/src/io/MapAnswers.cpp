@@ -102,7 +102,7 @@ std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map, const Leve
 std::vector<FoundInstance> findInstances(const SemanticVoxelMap& map, const std::string& category,
                                          const mrpt::math::TPoint3D& from)
 {
-    static_cast<void>(map.voxelOf(from));  // in range
+    static_cast<void>(map.voxelOf(map.inMap(from)));  // in range
     std::vector<FoundInstance> found;
     NameFit best = NameFit::part;
     for (FoundInstance& f : allInstances(map, LevelFrame(estimateUp(map)))) {

@@ -89,10 +89,13 @@ void SemanticVoxelMap::clear()
 VoxelCoord SemanticVoxelMap::voxelOf(const mrpt::math::TPoint3D& p) const
 {
     if (const auto v = storableVoxelOf(p, 1 / resolution())) return *v;
-    throw ConfigurationError("the place (" + numberText(p.x) + ", " + numberText(p.y) + ", " +
-                             numberText(p.z) + ") is out of the map's range: with voxels of " +
-                             numberText(resolution()) + " m, coordinates are within +-" +
-                             fixedText(MAX_VOXEL_COORD * resolution(), 0) + " m");
+    const auto text = [](const mrpt::math::TPoint3D& q) {
+        return "(" + numberText(q.x) + ", " + numberText(q.y) + ", " + numberText(q.z) + ")";
+    };
+    throw ConfigurationError(
+        "the place " + text(inWorld(p)) + " is out of the map's range: with voxels of " +
+        numberText(resolution()) + " m, coordinates are within +-" +
+        fixedText(MAX_VOXEL_COORD * resolution(), 0) + " m of " + text(m_origin));
 }
 
 log_odds_t SemanticVoxelMap::occupancyAt(const mrpt::math::TPoint3D& p) const

@@ -40,18 +40,13 @@ class PlacedFrames
         m_origin;  //!< of the map's frame, kept here as the map itself changes meanwhile
 };
 
-void checkSomethingMapped(const RawlogFrameSource& source, const MappingCounts& before,
-                          const MappingCounts& now)
+void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
 {
-    if (now.frames > before.frames) return;
+    if (mapped) return;
     if (source.framesMet() == 0)
         throw NothingToMapError(
             "the rawlog holds no CObservation3DRangeScan of the sensor to map: check "
             "depth_sensor_label");
-    if (now.framesOutOfRange > before.framesOutOfRange)
-        throw NothingToMapError(
-            "all of the rawlog's frames are farther off than a map of this resolution can hold: "
-            "check the poses, or map them on their own instead of with --resume");
     if (source.skipped().framesWithoutPose == 0)
         throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
                                 " frames is in the range asked for");
@@ -108,8 +103,7 @@ MappedInput mapRawlog(
 {
     MappedInput met;
     met.leftOut = LeftOut(strict);
-    bool unreadable = false;
-    const MappingCounts before = map.counts();
+    bool mapped = false, unreadable = false;
     {
         const SemanticMapper& mapper = map.mapper();
         PlacedFrames frames(source, map);
@@ -129,12 +123,12 @@ MappedInput mapRawlog(
             met.opinions += frame->opinions.size();
             met.surfaces.add(frame->voxels, map.map());
             onFrame(time, map.integrate(std::move(*frame)));
+            mapped = true;
         }
     }
     if (!source.stoppedBefore()) {
-        const bool mapped = map.counts().frames > before.frames;
         if (!mapped && met.leftOut.count() > 0) failWithoutFrames(met.leftOut, unreadable);
-        checkSomethingMapped(source, before, map.counts());
+        checkSomethingMapped(source, mapped);
         checkDepths(met.depths, map.mapper().config().input.depth);
     }
     map.addSkipped(source.skipped());

@@ -128,8 +128,7 @@ void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
     m_map->writeTo(out);
     m_assembler.writeTo(out);
     likelihoodOptions.writeTo(out);
-    out << genericMapParams << m_camera.has_value() << m_camera.value_or("")
-        << m_counts.framesOutOfRange;
+    out << genericMapParams << m_camera.has_value() << m_camera.value_or("");
 }
 
 void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
@@ -145,7 +144,6 @@ void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t vers
     read.likelihoodOptions.readFrom(in);
     in >> read.genericMapParams;
     if (version > 2) read.m_camera = readCamera(in);
-    if (version > 3) in >> read.m_counts.framesOutOfRange;
     *this = std::move(read);
 }
 }  // namespace voxeland

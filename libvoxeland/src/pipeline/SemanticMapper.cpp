@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/SemanticMapper.h"
 
+#include "../observations/DepthImageCheck.h"
 #include "voxeland/errors.h"
 #include "voxeland/observations/MaskCamera.h"
 #include "voxeland/observations/UnusableFrame.h"
@@ -37,13 +38,11 @@ bool isInRange(const ObservedSpace& space)
     return true;
 }
 
-/** Stands for a frame that saw what cannot be stored. */
-PreparedFrame outOfRange(const RgbdFrame& frame, double resolution, const StageTimes& times)
+void checkRange(const RgbdFrame& frame, bool inRange)
 {
-    PreparedFrame nothing{VoxelizedFrame(resolution), {}, {}, false, times};
-    nothing.time = frame.scan->timestamp;
-    nothing.inRange = false;
-    return nothing;
+    if (!inRange)
+        throw UnusableFrame(frameName(*frame.scan) +
+                            " lies farther off than the map can hold: map it on its own");
 }
 
 /** Plugins are other people's code: what they return must not spoil a map. */
@@ -53,7 +52,8 @@ void checkOpinions(const std::vector<Opinion>& opinions, const VoxelizedFrame& v
     for (const Opinion& o : opinions) {
         bool valid = o.confidence > 0 && o.confidence <= 1 && !o.voxels.empty();
         for (const OpinionVoxel& v : o.voxels)
-            valid = valid && v.hit < voxels.hits().size() && v.points > 0 && std::isfinite(v.points);
+            valid =
+                valid && v.hit < voxels.hits().size() && v.points > 0 && std::isfinite(v.points);
         if (!valid)
             throw PluginError(
                 std::string(converter.GetRuntimeClass()->className) +
@@ -92,7 +92,7 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
     decode(frame, times);
     const double resolution = m_config.map.resolution;
     const auto camera = (frame.robotPose + frame.scan->sensorPose).translation();
-    if (!voxeland::isInRange(camera, 1 / resolution)) return outOfRange(frame, resolution, times);
+    checkRange(frame, voxeland::isInRange(camera, 1 / resolution));
 
     auto voxels = [&] {
         const StageTimer timer(times, Stage::voxelize);
@@ -107,7 +107,7 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
         const StageTimer timer(times, Stage::rays);
         return castRays(voxels, m_config.integration.visibility_margin);
     }();
-    if (!isInRange(space)) return outOfRange(frame, resolution, times);
+    checkRange(frame, isInRange(space));
     std::optional<PoseUncertainty> uncertainty;
     if (m_config.integration.pose_uncertainty && frame.poseCovariance)
         uncertainty.emplace(frame.robotPose, *frame.poseCovariance);
@@ -123,10 +123,6 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
 StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
                                      MappingCounts& counts)
 {
-    if (!frame.inRange) {
-        ++counts.framesOutOfRange;
-        return frame.times;
-    }
     std::vector<OpinionOverlaps> opinions;
     std::vector<Assignment> assignments;
     {

@@ -134,10 +134,7 @@ VoxelCoord voxelOf(const Point& p, double inverseResolution)
 template <typename Point>
 std::optional<VoxelCoord> storableVoxelOf(const Point& p, double inverseResolution)
 {
-    const auto fits = [&](double metres) {
-        return std::abs(std::floor(metres * inverseResolution)) <= MAX_VOXEL_COORD;
-    };
-    if (!fits(p.x) || !fits(p.y) || !fits(p.z)) return std::nullopt;
+    if (!isInRange(p, inverseResolution)) return std::nullopt;
     return voxelOf(p, inverseResolution);
 }
 

@@ -75,12 +75,12 @@ class SemanticVoxelMap
     [[nodiscard]] const BlockMap<MapBlock>& blocks() const { return m_blocks; }
     [[nodiscard]] BlockMap<MapBlock>& blocks() { return m_blocks; }
 
-    /** The voxel that holds a metric point.
+    /** The voxel that holds a point of the map's frame [m].
      *  \throws ConfigurationError if the point is farther off than a map of this resolution can
      *  hold, or no numbers */
     [[nodiscard]] VoxelCoord voxelOf(const mrpt::math::TPoint3D& p) const;
-    /** Occupancy at a metric point; UNOBSERVED where nothing is known, and wherever voxelOf()
-     * throws.
+    /** Occupancy at a point of the map's frame; UNOBSERVED where nothing is known, and wherever
+     * voxelOf() throws.
      */
     [[nodiscard]] log_odds_t occupancyAt(const mrpt::math::TPoint3D& p) const;
     /** Occupancy of a voxel; UNOBSERVED where nothing is known. */

@@ -58,8 +58,6 @@ class VoxelizedFrame
      *  \throws InputError, naming the frame, for scans without a depth image or with invalid
      *  calibration or units, and for predictions made for images of another size */
     VoxelizedFrame(const RgbdFrame& frame, double resolution, const DepthLimits& limits);
-    /** A frame in which nothing was measured. \param resolution voxel edge [m] */
-    explicit VoxelizedFrame(double resolution) : m_resolution(resolution) {}
 
     [[nodiscard]] double resolution() const { return m_resolution; }
     /** Optical centre of the depth camera in the map's frame [m]. */

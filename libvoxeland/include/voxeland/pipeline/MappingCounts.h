@@ -11,7 +11,6 @@ struct MappingCounts
     uint32_t framesWithoutPredictions = 0;  //!< of those, frames mapped without any opinion source
     uint32_t opinions = 0;                  //!< opinions integrated
     uint32_t framesWithoutPose = 0;         //!< frames skipped: no valid pose was known for them
-    uint32_t framesOutOfRange = 0;          //!< frames skipped: farther off than the map can hold
     uint32_t predictionsWithoutFrame = 0;   //!< predictions left out: no frame of their timestamp
     uint32_t merges = 0, splits = 0;        //!< of instances, during refinement
 };

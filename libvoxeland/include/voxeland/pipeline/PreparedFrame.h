@@ -22,7 +22,5 @@ struct PreparedFrame
     mrpt::Clock::time_point time{};  //!< timestamp of the frame
     /** By how much its evidence is discounted: not at all where this is absent. */
     std::optional<PoseUncertainty> uncertainty{};
-    /** Whether all that it saw can be stored; if not, nothing of it is here. */
-    bool inRange = true;
 };
 }  // namespace voxeland

@@ -27,10 +27,12 @@ class SemanticMapper
     void predict(RgbdFrame& frame) const;
 
     /** The part of the work that needs no map. Thread safe.
-     *  \param frame its pose is in the map's frame \throws InputError for unusable frames */
+     *  \param frame its pose is in the map's frame
+     *  \throws InputError for unusable frames, UnusableFrame for those that saw what cannot be
+     * stored */
     [[nodiscard]] PreparedFrame prepare(const RgbdFrame& frame) const;
 
-    /** Adds a prepared frame to a map, or counts it as out of range. Frames must come in order.
+    /** Adds a prepared frame to a map. Frames must come in order.
      *  \return the frame's stage times, those of prepare() included */
     StageTimes integrate(PreparedFrame frame, SemanticVoxelMap& map, MappingCounts& counts);
 
