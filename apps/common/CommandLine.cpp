@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/CommandLine.h"
 
+#include "common/AsTyped.h"
 #include "common/Interruption.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
@@ -97,16 +98,6 @@ void refuseNegativeCounts(const std::vector<std::string>& words,
                 throw ConfigurationError(words[i - 1] + " takes a number from 0, not " + words[i]);
 }
 
-/** A word as a shell takes it. */
-std::string forShell(const std::string& word)
-{
-    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-        return std::isalnum(c) != 0 ||
-               std::string_view("-_./=,:+@%").find(static_cast<char>(c)) != std::string_view::npos;
-    });
-    return plain ? word : "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'";
-}
-
 int fail(const char* program, const std::exception& e, int exitCode)
 {
     std::cerr << program << ": " << sentence(e) << "\n";
@@ -140,14 +131,17 @@ bool CommandLine::parse(int argc, char** argv)
 
 std::string CommandLine::commandWith(const std::map<std::string, std::string>& values) const
 {
-    std::string command;
+    std::vector<std::string> command;
     for (size_t i = 0; i < m_words.size(); ++i)
         if (i > 0 && values.count(m_words[i]) > 0)
             ++i;  // its value, too
         else
-            command += (i == 0 ? "" : " ") + forShell(m_words[i]);
-    for (const auto& [option, value] : values) command += " " + option + " " + forShell(value);
-    return command;
+            command.push_back(m_words[i]);
+    for (const auto& [option, value] : values) {
+        command.push_back(option);
+        command.push_back(value);
+    }
+    return asTyped(command);
 }
 
 VerbosityLevel CommandLine::verbosity() const

@@ -29,10 +29,10 @@ const char* const DESCRIPTION = R"(Adds a detector's predictions to a rawlog wit
 They come from a file, or from a network that looks at the colour images (--dnn). image_id is the
 name of a frame's image or of one that the file lists, else it counts the RGB-D frames from 0. The
 predictions go to the file NAME.instances.rawlog beside the output NAME.rawlog, which is a copy of
-the input unless both are the same; its external images are found through a link. A run with --dnn
-that was stopped (Ctrl-C) or killed leaves what the network said so far in NAME.instances.rawlog.unfinished; the same
-command goes on from there. With --embed they go into the output, which then needs programs that load
-libvoxeland.)";
+the input unless both are the same; its external images are found through a link.
+With --embed they go into the output, which then needs programs that load libvoxeland. A run with
+--dnn that was stopped (Ctrl-C) or killed leaves what the network said so far in
+NAME.instances.rawlog.unfinished; the same command goes on from there.)";
 
 /** The program's command line. */
 struct Arguments : apps::CommandLine
@@ -113,11 +113,6 @@ Network networkOf(Arguments& arguments)
 
 using ProgressOfFrames = std::function<void(size_t frames, double share)>;
 
-/** Thrown to leave a long job that the user stopped. */
-struct Stopped
-{
-};
-
 /** The network's predictions. What it said before it was stopped is kept beside the output. */
 AddedPredictions addSeen(Arguments& arguments, const AddPredictionsOptions& options,
                          const ProgressOfFrames& progress)
@@ -138,7 +133,9 @@ AddedPredictions addSeen(Arguments& arguments, const AddPredictionsOptions& opti
     const apps::Interruption interruption;
     const auto added = addPredictions(in, seen, out, options, [&](size_t frames, double share) {
         progress(frames, share);
-        if (interruption.wasRequested()) throw Stopped();
+        if (interruption.wasRequested())
+            throw apps::Interrupted(
+                "stopped; what the network said is kept: the same command goes on from there");
     });
     kept.discard();
     return added;
@@ -186,13 +183,7 @@ int run(int argc, char** argv)
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
     check(arguments);
-    try {
-        printSummary(add(arguments), arguments);
-    } catch (const Stopped&) {
-        arguments.note(
-            "stopped; what the network said is kept: the same command goes on from there");
-        return apps::INTERRUPTED;
-    }
+    printSummary(add(arguments), arguments);
     return 0;
 }
 }  // namespace

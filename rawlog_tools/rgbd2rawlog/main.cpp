@@ -158,12 +158,9 @@ void checkArguments(Arguments& arguments)
 
 PoseAxes parsePoseAxes(const std::string& name)
 {
-    const std::map<std::string, PoseAxes> known = {
-        {"optical", PoseAxes::optical}, {"opengl", PoseAxes::opengl}, {"body", PoseAxes::body}};
-    const auto found = known.find(name);
-    if (found == known.end())
-        throw ConfigurationError("--pose-axes must be optical, opengl or body, not '" + name + "'");
-    return found->second;
+    for (const auto& [known, axes] : poseAxesByName())
+        if (known == name) return axes;
+    throw ConfigurationError("--pose-axes must be optical, opengl or body, not '" + name + "'");
 }
 
 /** The camera that an option gives, if it is set. */

@@ -19,10 +19,6 @@ namespace
 using mrpt::poses::CPose3D;
 using Verdict = CalibrationFinding::Verdict;
 
-/** Each with its name as --pose-axes takes it. */
-const std::map<PoseAxes, std::string> POSE_AXES = {
-    {PoseAxes::optical, "optical"}, {PoseAxes::opengl, "opengl"}, {PoseAxes::body, "body"}};
-
 constexpr std::array<double, 8> DEPTH_SCALES = {1, 100, 256, 1000, 2000, 5000, 6553.5, 10000};
 constexpr std::array<double, 8> FOCAL_FACTORS = {0.5, 0.7, 0.8, 0.9, 1.1, 1.25, 1.4, 2};
 constexpr double GOOD = 0.03;       // relative disagreement of frames that agree
@@ -131,7 +127,7 @@ void compareReadings(CalibrationFinding& finding, const Sample& sample)
     finding.asGiven = measured(finding.asGiven, sample);
     finding.invertedPoses = measured(inverted, sample);
     finding.best = better(finding.asGiven, finding.invertedPoses);
-    for (const auto& [axes, name] : POSE_AXES)
+    for (const auto& [name, axes] : poseAxesByName())
         for (CalibrationReading reading : {finding.asGiven, inverted}) {
             if (axes == sample.axes) continue;
             reading.axes = axes;
@@ -159,7 +155,7 @@ void compareReadings(CalibrationFinding& finding, const Sample& sample)
 std::string difference(const CalibrationReading& reading, const CalibrationReading& given)
 {
     std::ostringstream text;
-    if (reading.axes != given.axes) text << "poses of " << POSE_AXES.at(reading.axes) << " axes";
+    if (reading.axes != given.axes) text << "poses of " << nameOf(reading.axes) << " axes";
     if (reading.invertPoses) text << (reading.axes != given.axes ? ", inverted" : "inverted poses");
     if (reading.depthScale != given.depthScale) text << "a depth scale of " << reading.depthScale;
     if (reading.focalFactor != 1)
@@ -178,9 +174,9 @@ std::string remedy(const CalibrationReading& reading, const CalibrationReading& 
     }
     const bool scaled = reading.depthScale != given.depthScale;
     if (reading.axes != given.axes)
-        text << "the poses are those of " << POSE_AXES.at(reading.axes)
+        text << "the poses are those of " << nameOf(reading.axes)
              << (reading.invertPoses ? " axes and the wrong way round" : " axes")
-             << ": use --pose-axes " << POSE_AXES.at(reading.axes)
+             << ": use --pose-axes " << nameOf(reading.axes)
              << (reading.invertPoses ? " and add --invert-poses, or leave it out" : "");
     else if (reading.invertPoses)
         text << "the poses are the wrong way round: add --invert-poses, or leave it out";

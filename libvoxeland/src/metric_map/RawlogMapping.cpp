@@ -53,6 +53,7 @@ void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
     throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
                             " frames has a pose: " + source.whyNoPoses());
 }
+
 /** The next frame that measured something; those before are left out.
  *  \param unreadable set if one of them is left out for another reason */
 std::optional<PreparedFrame> nextUsable(FramePreparer& preparer, LeftOut& leftOut, bool& unreadable)

@@ -1,8 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/PoseAxes.h"
 
+#include <algorithm>
+
 namespace voxeland
 {
+const std::vector<std::pair<std::string, PoseAxes>>& poseAxesByName()
+{
+    static const std::vector<std::pair<std::string, PoseAxes>> names = {
+        {"body", PoseAxes::body}, {"optical", PoseAxes::optical}, {"opengl", PoseAxes::opengl}};
+    return names;
+}
+
+const std::string& nameOf(PoseAxes axes)
+{
+    const auto& names = poseAxesByName();
+    return std::find_if(names.begin(), names.end(),
+                        [axes](const auto& named) { return named.second == axes; })
+        ->first;
+}
+
 mrpt::poses::CPose3D poseOfAxes(PoseAxes axes)
 {
     using namespace mrpt::literals;

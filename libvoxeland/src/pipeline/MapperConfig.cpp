@@ -27,9 +27,7 @@ void declare(OptionList& list, InputOptions& o)
         "Where robot poses come from: robot_pose | odometry | actions | tum:<file>; those of a "
         "simplemap are its keyframes', unless tum:<file>");
     list.add(
-        "pose_axes", o.pose_axes,
-        std::vector<std::pair<std::string, PoseAxes>>{
-            {"body", PoseAxes::body}, {"optical", PoseAxes::optical}, {"opengl", PoseAxes::opengl}},
+        "pose_axes", o.pose_axes, poseAxesByName(),
         "What those poses are of: body, the robot (x forward, y left, z up); optical, the "
         "depth camera (x right, y down, z forward); opengl, it too (x right, y up, z backward); "
         "of actions and simplemaps always body");

@@ -2,6 +2,10 @@
 #pragma once
 #include <mrpt/poses/CPose3D.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace voxeland
 {
 /** Whose poses a trajectory tells, and the axes of that. */
@@ -11,6 +15,12 @@ enum class PoseAxes
     optical,  //!< the depth camera's: x right, y down, z forward (TUM, ORB-SLAM, OpenCV)
     opengl    //!< the depth camera's: x right, y up, z backward (OpenGL, Blender, NeRF)
 };
+
+/** All axes with their names in INI keys and options. */
+const std::vector<std::pair<std::string, PoseAxes>>& poseAxesByName();
+
+/** One of those names. */
+const std::string& nameOf(PoseAxes axes);
 
 /** Pose of such axes in a sensor with MRPT's axes (x forward, y left, z up). */
 mrpt::poses::CPose3D poseOfAxes(PoseAxes axes);
