@@ -5,6 +5,7 @@
 #include "common/Interruption.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/exceptions.h>
 
@@ -98,9 +99,16 @@ void refuseNegativeCounts(const std::vector<std::string>& words,
                 throw ConfigurationError(words[i - 1] + " takes a number from 0, not " + words[i]);
 }
 
-int fail(const char* program, const std::exception& e, int exitCode)
+/** The one way to stderr. */
+void say(const std::string& text, size_t maxLength)
 {
-    std::cerr << program << ": " << sentence(e) << "\n";
+    std::cerr << printableSentence(text, maxLength) << "\n";
+}
+
+int fail(const std::string& program, const std::string& text, int exitCode)
+{
+    constexpr size_t LONGEST = 300;
+    say(program + ": " + text, LONGEST);
     return exitCode;
 }
 }  // namespace
@@ -158,14 +166,14 @@ VerbosityLevel CommandLine::verbosity() const
 
 void CommandLine::note(const std::string& text) const
 {
-    if (!quiet()) std::cerr << text << "\n";
+    if (!quiet()) say(text, LONGEST_NOTE);
 }
 
 void CommandLine::warn(const std::string& text)
 {
     if (verbosity() > mrpt::system::LVL_WARN) return;
     const std::filesystem::path program = m_parser.getProgramName();
-    std::cerr << program.filename().string() << ": warning: " << text << "\n";
+    say(program.filename().string() + ": warning: " + text, LONGEST_NOTE);
 }
 
 std::string sentence(const std::exception& e)
@@ -204,21 +212,21 @@ int runProgram(const char* program, const std::function<int()>& body)
             throw OutputError("cannot write to standard output: free some space");
         return exitCode;
     } catch (const Interrupted& e) {
-        std::cerr << program << ": " << e.what() << "\n";
+        fail(program, e.what(), INTERRUPTED);
+        if (!e.command.empty()) std::cerr << e.command << "\n";
         return INTERRUPTED;
     } catch (const ConfigurationError& e) {
-        return fail(program, e, 1);
+        return fail(program, sentence(e), 1);
     } catch (const PluginError& e) {
-        return fail(program, e, 2);
+        return fail(program, sentence(e), 2);
     } catch (const NothingToMapError& e) {
-        return fail(program, e, 4);
+        return fail(program, sentence(e), 4);
     } catch (const OutputError& e) {
-        return fail(program, e, 5);
+        return fail(program, sentence(e), 5);
     } catch (const std::bad_alloc&) {
-        std::cerr << program << ": out of memory: use a coarser resolution or a smaller input\n";
-        return 3;
+        return fail(program, "out of memory: use a coarser resolution or a smaller input", 3);
     } catch (const std::exception& e) {
-        return fail(program, e, 3);
+        return fail(program, sentence(e), 3);
     }
 }
 }  // namespace voxeland::apps

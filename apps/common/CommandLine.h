@@ -11,6 +11,9 @@
 
 namespace voxeland::apps
 {
+/** Characters of a note or warning; some quote a sentence and say what came of it. */
+constexpr size_t LONGEST_NOTE = 600;
+
 /** What every program of the project has in common on its command line: `--help` that shows
  * examples,
  *  `--version`, `-v/--verbosity` and `--quiet`. Add the program's own arguments to parser(). */

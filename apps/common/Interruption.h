@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace voxeland::apps
 {
 /** Exit code of a program that the user stopped, by Ctrl-C or SIGTERM. */
 constexpr int INTERRUPTED = 130;
 
-/** Thrown to end so, with what was kept and how to go on: printed as it is by runProgram(). */
+/** Thrown to end so, with what was kept and how to go on: printed by runProgram(). */
 struct Interrupted : std::runtime_error
 {
-    using std::runtime_error::runtime_error;
+    /** \param goesOn command that goes on, see asTyped(); empty: none is shown */
+    explicit Interrupted(const std::string& sentence, std::string goesOn = "")
+        : std::runtime_error(sentence), command(std::move(goesOn))
+    {
+    }
+    std::string command;
 };
 
 /** Lets a program end in good order when the user stops it. While an object of this class lives,

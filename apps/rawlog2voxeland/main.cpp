@@ -252,7 +252,8 @@ std::string continued(const std::string& file, uint32_t from)
     for (auto* file : {&arguments.trace, &arguments.timing})
         if (file->isSet()) values["--" + file->getName()] = continued(file->getValue(), next);
     throw apps::Interrupted("interrupted; the map of " + counted(run.frames, "frame") + " is in '" +
-                            output + "', go on with:\n" + arguments.commandWith(values));
+                                output + "', go on with:",
+                            arguments.commandWith(values));
 }
 
 int makeMap(Arguments& arguments)

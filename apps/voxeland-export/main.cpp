@@ -20,6 +20,7 @@
 #include "voxeland/joined.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/system/string_utils.h>
@@ -179,7 +180,7 @@ HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map, const L
 
 void written(const std::string& file)
 {
-    std::cout << "written: " << file << "\n";
+    std::cout << "written: " << printable(file, UNCUT) << "\n";
 }
 
 void writePly(Arguments& arguments, const SemanticVoxelMap& map)

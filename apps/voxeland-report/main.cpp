@@ -9,6 +9,7 @@
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/pipeline/TimingLog.h"
+#include "voxeland/printable.h"
 #include "voxeland/report/MapReport.h"
 
 #include <filesystem>
@@ -116,7 +117,7 @@ int run(int argc, char** argv)
     if (arguments.minVoxels.isSet()) dismissSmallInstances(map, arguments.minVoxels.getValue());
     const std::string page = reportAsHtml(map, loaded->counts(), options, three);
     writeAtomically(output, [&](std::ostream& out) { out << page; });
-    std::cout << "written: " << output << "\n";
+    std::cout << "written: " << printable(output, UNCUT) << "\n";
     return 0;
 }
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/OutputFolder.h"
+#include "voxeland/printable.h"
 #include "voxeland/trimmed.h"
 
 #include <nlohmann/json.hpp>
@@ -64,13 +65,13 @@ std::string questionJson(const DisambiguationQuestion& question)
         pictures.push_back({{"file", pictureName(i, question.pictures[i])},
                             {"caption", question.pictures[i].caption}});
     return json{{"instance", question.instance}, {"candidates", candidates}, {"pictures", pictures}}
-        .dump(2);
+        .dump(2, ' ', false, json::error_handler_t::replace);
 }
 
 std::string form(const DisambiguationQuestion& question)
 {
     std::string categories;
-    for (const RankedCategory& c : question.candidates) categories += c.name + ", ";
+    for (const RankedCategory& c : question.candidates) categories += printable(c.name) + ", ";
     return "# What is it? Look at the pictures beside this file; prompt.txt says what they show.\n"
            "# Then write below which of these it is: " +
            categories + "unknown\n# Lines that start with # do not count.\n";
@@ -147,6 +148,7 @@ void QuestionFolder::writeAnswer(const DisambiguationAnswer& answer) const
                            {"prompt_tokens", answer.promptTokens},
                            {"answer_tokens", answer.answerTokens},
                            {"seconds", answer.seconds}};
-    writeAtomically((m_path / RECORDED_ANSWER).string(), recorded.dump(2) + "\n");
+    writeAtomically((m_path / RECORDED_ANSWER).string(),
+                    recorded.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 }  // namespace voxeland

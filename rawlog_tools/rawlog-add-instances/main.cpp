@@ -9,6 +9,7 @@
 #include "voxeland/datasets/UnfinishedPredictions.h"
 #include "voxeland/errors.h"
 #include "voxeland/pipeline/MapperConfig.h"
+#include "voxeland/printable.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <filesystem>
@@ -171,11 +172,13 @@ void printSummary(const AddedPredictions& added, Arguments& arguments)
     std::cout << "\n";
     if (added.replaced > 0)
         std::cout << "replaced: predictions of " << counted(added.replaced, "frame") << "\n";
-    if (added.rawlogWritten) std::cout << "written: " << files.rawlog.string() << "\n";
-    if (!arguments.embed.isSet()) std::cout << "written: " << files.sidecar.string() << "\n";
+    if (added.rawlogWritten)
+        std::cout << "written: " << printable(files.rawlog.string(), UNCUT) << "\n";
+    if (!arguments.embed.isSet())
+        std::cout << "written: " << printable(files.sidecar.string(), UNCUT) << "\n";
     if (added.imagesLinked)
-        std::cout << "linked: " << files.images.string() << ", to the images of "
-                  << arguments.input.getValue() << "\n";
+        std::cout << "linked: " << printable(files.images.string(), UNCUT) << ", to the images of "
+                  << printable(arguments.input.getValue(), UNCUT) << "\n";
 }
 
 int run(int argc, char** argv)

@@ -9,6 +9,7 @@
 #include "voxeland/errors.h"
 #include "voxeland/joined.h"
 #include "voxeland/numbers.h"
+#include "voxeland/printable.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 #include "voxeland/trimmed.h"
 
@@ -192,7 +193,8 @@ std::unique_ptr<RgbdDatasetReader> open(Arguments& arguments)
 
 void printNotes(const RgbdDatasetReader& dataset)
 {
-    for (const std::string& note : dataset.notes()) std::cout << "note: " << note << "\n";
+    for (const std::string& note : dataset.notes())
+        std::cout << "note: " << printableSentence(note, apps::LONGEST_NOTE) << "\n";
 }
 
 void printSkipped(const std::vector<SkippedFrame>& skipped)
@@ -203,8 +205,8 @@ void printSkipped(const std::vector<SkippedFrame>& skipped)
     for (auto& [reason, names] : byReason) {
         const size_t n = names.size();
         names.resize(std::min(n, NAMED));
-        std::cout << "skipped: " << counted(n, "frame") << ", " << reason << " ("
-                  << joined(names, ", ") << (n > NAMED ? ", ..." : "") << ")\n";
+        std::cout << "skipped: " << counted(n, "frame") << ", " << printableSentence(reason) << " ("
+                  << printableSentence(joined(names, ", ")) << (n > NAMED ? ", ..." : "") << ")\n";
     }
 }
 
@@ -232,8 +234,9 @@ void printSizes(const RawlogFiles& files)
         const auto bytes = static_cast<double>(sizeOf(path));
         if (bytes == 0) continue;
         const bool large = bytes >= 1e6;
-        std::cout << "written: " << path.string() << ", " << std::fixed << std::setprecision(1)
-                  << bytes / (large ? 1e6 : 1e3) << (large ? " MB\n" : " kB\n");
+        std::cout << "written: " << printable(path.string(), UNCUT) << ", " << std::fixed
+                  << std::setprecision(1) << bytes / (large ? 1e6 : 1e3)
+                  << (large ? " MB\n" : " kB\n");
     }
 }
 
@@ -272,7 +275,7 @@ int makeRawlog(Arguments& arguments)
     writer.close();
 
     std::cout << "frames: " << summary.frames << " of " << dataset->frames().size() << " in "
-              << dataset->name() << "\n";
+              << printable(dataset->name()) << "\n";
     printNotes(*dataset);
     printSkipped(dataset->skipped());
     if (arguments.predictions.isSet()) printPredictions(summary);
@@ -294,7 +297,7 @@ int checkDataset(Arguments& arguments)
         finding = checkCalibration(*dataset, [&](size_t read) { progress.update(read); });
     }
     std::cout << "frames: " << dataset->selected().size() << " of " << dataset->frames().size()
-              << " in " << dataset->name() << "\n";
+              << " in " << printable(dataset->name()) << "\n";
     printNotes(*dataset);
     std::cout << finding.text();
     if (finding.verdict == Verdict::nothing) return 4;

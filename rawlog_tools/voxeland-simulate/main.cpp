@@ -3,6 +3,7 @@
 #include "common/Progress.h"
 #include "voxeland/counted.h"
 #include "voxeland/errors.h"
+#include "voxeland/printable.h"
 #include "voxeland/simulation/SimulationRun.h"
 
 #include <algorithm>
@@ -151,12 +152,12 @@ int run(int argc, char** argv)
                             !commandLine.quiet());
     const auto made =
         runSimulation(options, output, [&](size_t frames) { progress.update(frames); });
-    std::cout << output.rawlog << ": " << counted(made.frames, "frame") << ", "
+    std::cout << printable(output.rawlog, UNCUT) << ": " << counted(made.frames, "frame") << ", "
               << counted(made.rooms, "room") << ", " << counted(made.objects, "object") << ", "
               << counted(made.predictions, "prediction") << "\n";
     if (!output.groundTruthFolder.empty())
-        std::cout << output.groundTruthFolder << ": " << counted(made.groundTruthPoints, "point")
-                  << " of surfaces seen\n";
+        std::cout << printable(output.groundTruthFolder, UNCUT) << ": "
+                  << counted(made.groundTruthPoints, "point") << " of surfaces seen\n";
     return 0;
 }
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/counted.h"
 #include "voxeland/datasets/CalibrationCheck.h"
+#include "voxeland/printable.h"
 
 #include <cmath>
 #include <iomanip>
@@ -34,7 +35,7 @@ std::string CalibrationFinding::text() const
 {
     std::ostringstream out;
     for (const auto& [reason, count] : unusable)
-        out << "skipped: " << count << " of the frames read, " << reason << "\n";
+        out << "skipped: " << count << " of the frames read, " << printableSentence(reason) << "\n";
     if (verdict != Verdict::nothing) {
         out << "surfaces seen twice: " << counted(pairs, "pair") << " of frames, "
             << counted(asGiven.points, "point") << ", median disagreement\n";
@@ -45,7 +46,7 @@ std::string CalibrationFinding::text() const
         print(out, titled("best other focal length (x ", otherFocalLength.focalFactor),
               otherFocalLength);
     }
-    out << "verdict: " << sentence << "\n";
+    out << "verdict: " << printableSentence(sentence, UNCUT) << "\n";
     return out.str();
 }
 }  // namespace voxeland

@@ -4,6 +4,7 @@
 #include "voxeland/ClassicNumbers.h"
 #include "voxeland/counted.h"
 #include "voxeland/map/MapQueries.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,13 @@ namespace voxeland
 namespace
 {
 using json_t = nlohmann::ordered_json;
+
+/** The category as it was, or what it became. */
+std::string categoriesOf(const ReportedQuestion& q)
+{
+    const std::string before = printable(q.before);
+    return q.before == q.after ? before : before + " -> " + printable(q.after);
+}
 
 /** The most probable category. */
 RankedCategory topOf(const SemanticVoxelMap& map, const Instance& instance)
@@ -59,7 +67,7 @@ std::string DisambiguationReport::asText() const
 {
     const auto all = questions();
     size_t width = std::string("category").size();
-    for (const auto& q : all) width = std::max(width, (q.before + " -> " + q.after).size());
+    for (const auto& q : all) width = std::max(width, categoriesOf(q).size());
     std::string text = format("%6s  %-*s  %-14s  entropy         seconds   tokens  who\n", "id",
                               static_cast<int>(width), "category", "prob.");
     size_t decided = 0, changed = 0;
@@ -67,17 +75,16 @@ std::string DisambiguationReport::asText() const
     double cost = 0;
     for (const auto& q : all) {
         const auto& d = q.outcome.decision;
-        const std::string categories = q.before == q.after ? q.before : q.before + " -> " + q.after;
-        text +=
-            format("%6u  %-*s  ", q.outcome.instance, static_cast<int>(width), categories.c_str());
+        text += format("%6u  %-*s  ", q.outcome.instance, static_cast<int>(width),
+                       categoriesOf(q).c_str());
         if (!d) {
-            text += q.outcome.problem + "\n";
+            text += printableSentence(q.outcome.problem) + "\n";
             continue;
         }
         text += format("%.2f -> %.2f    %.3f -> %.3f  %7.1f  %7llu  %s\n", q.probabilityBefore,
                        q.probabilityAfter, q.entropyBefore, q.entropyAfter, d->seconds,
                        static_cast<unsigned long long>(d->promptTokens + d->answerTokens),
-                       d->model.c_str());
+                       printable(d->model).c_str());
         ++decided;
         changed += q.before == q.after ? 0 : 1;
         tokens += d->promptTokens + d->answerTokens;

@@ -4,6 +4,7 @@
 #include "BuiltInPrompt.h"
 #include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 
@@ -32,7 +33,7 @@ std::string namesOf(const DisambiguationQuestion& question)
 {
     std::string names;
     for (const RankedCategory& c : question.candidates)
-        names += (names.empty() ? "" : ", ") + c.name;
+        names += (names.empty() ? "" : ", ") + printable(c.name);
     return names;
 }
 
@@ -52,7 +53,7 @@ std::string Prompt::words(const DisambiguationQuestion& question) const
 {
     std::string candidates, pictures;
     for (const RankedCategory& c : question.candidates)
-        candidates += format("- %s: %.2f\n", c.name.c_str(), c.probability);
+        candidates += format("- %s: %.2f\n", printable(c.name).c_str(), c.probability);
     for (size_t i = 0; i < question.pictures.size(); ++i)
         pictures += format("%zu. %s\n", i + 1, question.pictures[i].caption.c_str());
 

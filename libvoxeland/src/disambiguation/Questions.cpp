@@ -3,6 +3,7 @@
 
 #include "voxeland/ClassicNumbers.h"
 #include "voxeland/io/InstancePicture.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 #include <opencv2/imgcodecs.hpp>
@@ -19,8 +20,9 @@ std::string caption(const CandidateView& v, const SemanticVoxelMap& map)
     return format(
         "Photograph in which a detector took the object for: %s (%.0f %%), from "
         "%.1f m%s",
-        map.categories().name(v.category).c_str(), 100 * static_cast<double>(v.view.probability),
-        static_cast<double>(ray.norm()), v.view.truncated ? "; cut off" : "");
+        printable(map.categories().name(v.category)).c_str(),
+        100 * static_cast<double>(v.view.probability), static_cast<double>(ray.norm()),
+        v.view.truncated ? "; cut off" : "");
 }
 }  // namespace
 

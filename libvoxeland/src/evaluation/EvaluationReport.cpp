@@ -3,6 +3,7 @@
 
 #include "voxeland/counted.h"
 #include "voxeland/numbers.h"
+#include "voxeland/printable.h"
 
 #include <cmath>
 #include <iomanip>
@@ -28,7 +29,7 @@ std::string decimal(double value)
 
 void writeRow(std::ostream& out, const std::string& name, const std::vector<std::string>& cells)
 {
-    out << "  " << std::left << std::setw(NAME_WIDTH) << name << std::right;
+    out << "  " << std::left << std::setw(NAME_WIDTH) << printable(name) << std::right;
     for (const std::string& c : cells) out << std::setw(NUMBER_WIDTH) << c;
     out << "\n";
 }
@@ -80,9 +81,9 @@ void writeProtocol(std::ostream& out, const LabelMap& labels, const EvaluationPr
     const bool ignore = protocol.voidPolicy == VoidPolicy::ignore;
     constexpr size_t MOST_NAMED = 20;
     const size_t classes = labels.classes().size();
-    out << "Protocol\n  classes: " << classes << " of " << labels.source();
+    out << "Protocol\n  classes: " << classes << " of " << printable(labels.source(), UNCUT);
     for (size_t i = 0; i < classes && classes <= MOST_NAMED; ++i)
-        out << (i == 0 ? ": " : ", ") << labels.classes()[i];
+        out << (i == 0 ? ": " : ", ") << printable(labels.classes()[i]);
     out << "\n"
         << "  a ground-truth point takes the instance of its voxel, else of the nearest occupied "
            "voxel in reach\n"
@@ -128,8 +129,9 @@ std::string EvaluationReport::text() const
     writeProtocol(out, m_labels, m_protocol);
     for (size_t i = 0; i < m_scenes.size(); ++i) {
         const Pair& p = m_pairs[i];
-        out << "\nScene " << m_scenes[i].name << "\n  map " << p.map << ", ground truth " << p.truth
-            << ", reach " << decimal(p.radius) << " m, entropy '" << p.entropy << "'\n";
+        out << "\nScene " << printable(m_scenes[i].name) << "\n  map " << printable(p.map, UNCUT)
+            << ", ground truth " << printable(p.truth, UNCUT) << ", reach " << decimal(p.radius)
+            << " m, entropy '" << p.entropy << "'\n";
         writeMetrics(out, m_metrics[i]);
     }
     if (m_scenes.size() < 2) return out.str();

@@ -144,6 +144,6 @@ std::string EvaluationReport::json() const
     }
     report["pooled"] = toJson(pooled());
     report["mean_over_scenes"] = toJson(sceneMean());
-    return report.dump(2) + "\n";
+    return report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 }  // namespace voxeland

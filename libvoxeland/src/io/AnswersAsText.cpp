@@ -3,6 +3,7 @@
 
 #include "voxeland/ClassicNumbers.h"
 #include "voxeland/counted.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 
@@ -23,7 +24,7 @@ size_t longestName(const std::vector<FoundInstance>& instances)
 {
     size_t longest = std::string("category").size();
     for (const FoundInstance& f : instances)
-        longest = std::max(longest, f.summary.category().size());
+        longest = std::max(longest, printable(f.summary.category()).size());
     return longest;
 }
 }  // namespace
@@ -48,7 +49,7 @@ std::string asText(const MapOverview& o)
     if (o.dismissed > 0) text += format("; %zu more count as unknown", o.dismissed);
     text += "\n";
     for (const auto& [name, count] : o.categories)
-        text += format("               %u %s\n", count, name.c_str());
+        text += format("               %u %s\n", count, printable(name).c_str());
     return text;
 }
 
@@ -61,7 +62,7 @@ std::string asText(const std::vector<FoundInstance>& instances, bool withDistanc
     for (const FoundInstance& f : instances) {
         const InstanceSummary& s = f.summary;
         if (withDistance) text += format("%8.2f  ", f.distance);
-        text += format("%4u  %-*s  %5.2f  %7.3f  ", s.id, width, s.category().c_str(),
+        text += format("%4u  %-*s  %5.2f  %7.3f  ", s.id, width, printable(s.category()).c_str(),
                        s.probability(), s.entropy);
         if (prior) text += format("%7.3f  ", s.vacuity);
         const std::string size = format("%.2fx%.2fx%.2f %4.0f", f.box.size.x, f.box.size.y,
@@ -78,7 +79,7 @@ std::string asText(const std::vector<ReobservationTarget>& targets)
     std::string text;
     for (const ReobservationTarget& t : targets) {
         const std::string name =
-            t.instance ? format("%u %s", *t.instance, t.category.c_str()) : "region";
+            t.instance ? format("%u %s", *t.instance, printable(t.category).c_str()) : "region";
         text += format("%.3f nat  %s, %s around (%s)\n", t.uncertainty, name.c_str(),
                        counted(t.voxels, "voxel").c_str(), xyz(t.center).c_str());
         for (const CameraPose& p : t.poses)
@@ -98,7 +99,7 @@ std::string asText(const PlaceAnswer& a)
     std::string text = format("voxel centre    %s m\n", xyz(a.center).c_str());
     if (a.nearest)
         text += format("nearest object  %u (%s), %.2f m away\n", a.nearest->id,
-                       a.nearest->category.c_str(), a.nearest->distance);
+                       printable(a.nearest->category).c_str(), a.nearest->distance);
     if (!a.observed && a.instances.empty()) return text + "never observed\n";
     text +=
         format("occupancy       %.3f (%s)\n", a.occupancy, a.occupancy > 0.5 ? "occupied" : "free");
@@ -106,12 +107,12 @@ std::string asText(const PlaceAnswer& a)
     text += "instances\n";
     for (const auto& i : a.instances)
         text += format("  %4u  p %.3f  alpha %8.2f  %s\n", i.id, i.probability, i.alpha,
-                       i.category.c_str());
+                       printable(i.category).c_str());
     text += "categories\n";
     const size_t shown = std::min(LIKELIEST, a.categories.size());
     for (size_t i = 0; i < shown; ++i)
         text += format("        p %.3f  %s\n", a.categories[i].probability,
-                       a.categories[i].name.c_str());
+                       printable(a.categories[i].name).c_str());
     if (shown < a.categories.size())
         text += format("        and %s less likely\n",
                        counted(a.categories.size() - shown, "category", "categories").c_str());

@@ -4,6 +4,7 @@
 #include "JsonValues.h"
 #include "voxeland/ClassicNumbers.h"
 #include "voxeland/counted.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/system/datetime.h>
@@ -39,7 +40,7 @@ std::string categoriesAsText(const SemanticVoxelMap& map, const Instance& instan
 {
     std::string text = "categories      p      detectors  decisions\n";
     for (const RankedCategory& c : spokenFor(map, instance)) {
-        text += format("  %-12s  %.3f  %9.3f  %9.3f\n", c.name.c_str(), c.probability,
+        text += format("  %-12s  %.3f  %9.3f  %9.3f\n", printable(c.name).c_str(), c.probability,
                        instance.categories.betaOf(c.category), decidedFor(instance, c.category));
         for (const InstanceView& v : instance.views.of(c.category))
             text += format("      frame %-6u p %.2f, score %.2f, %dx%d pixels at %d,%d, %.1f m%s\n",
@@ -53,14 +54,16 @@ std::string categoriesAsText(const SemanticVoxelMap& map, const Instance& instan
 
 std::string decisionsAsText(const SemanticVoxelMap& map, const Instance& instance)
 {
+    constexpr size_t LONGEST_ANSWER = 400;
     std::string text;
     for (const Decision& d : instance.decisions)
         text += format(
             "decision        %s: evidence %.3f, by %s (%s), %.1f s, %s\n"
             "                \"%s\"\n",
-            map.categories().name(d.category).c_str(), d.evidence, d.source.c_str(),
-            d.model.c_str(), d.seconds, counted(d.promptTokens + d.answerTokens, "token").c_str(),
-            d.answer.c_str());
+            printable(map.categories().name(d.category)).c_str(), d.evidence,
+            printable(d.source).c_str(), printable(d.model).c_str(), d.seconds,
+            counted(d.promptTokens + d.answerTokens, "token").c_str(),
+            printable(d.answer, LONGEST_ANSWER).c_str());
     return text;
 }
 
@@ -107,7 +110,7 @@ std::string explanationAsText(const SemanticVoxelMap& map, instance_id_t id)
         "instance        %u, %s\n"
         "entropy         %.3f nat (%s), vacuity %.3f\n"
         "seen            %s, frames %u to %u, part of %s\n",
-        id, ranked.empty() ? UNKNOWN_CATEGORY : ranked.front().name.c_str(),
+        id, printable(ranked.empty() ? UNKNOWN_CATEGORY : ranked.front().name).c_str(),
         categoryEntropy(map, i), toString(map.options().entropy).c_str(), categoryVacuity(map, i),
         counted(i.observations, "time").c_str(), i.firstFrame, i.lastFrame,
         counted(i.voxels, "voxel").c_str());

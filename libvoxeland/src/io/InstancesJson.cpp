@@ -3,8 +3,10 @@
 
 #include "JsonValues.h"
 #include "voxeland/io/AtomicFile.h"
+#include "voxeland/printable.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace voxeland
 {
@@ -63,7 +65,11 @@ json_t mapAsJson(const SemanticVoxelMap& map)
 
 std::string toText(const json_t& json)
 {
-    return json.dump(2, ' ', false, json_t::error_handler_t::replace) + "\n";
+    std::istringstream lines(json.dump(2, ' ', false, json_t::error_handler_t::replace));
+    std::string text;
+    // What JSON does not escape, but terminals act upon, is escaped as JSON allows, too.
+    for (std::string line; std::getline(lines, line);) text += printable(line, UNCUT) + "\n";
+    return text;
 }
 
 std::string instancesAsJson(const SemanticVoxelMap& map, const LevelFrame& frame)

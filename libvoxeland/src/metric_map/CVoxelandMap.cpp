@@ -8,6 +8,7 @@
 #include "voxeland/io/UpDirection.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/numbers.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -37,8 +38,8 @@ void warnOfAnotherCamera(const std::string& refused, const std::string& mapped)
     static std::set<std::string> told;
     const std::lock_guard<std::mutex> lock(mutex);
     if (told.insert(refused).second)
-        std::cerr << "voxeland map: warning: scans of '" << refused
-                  << "' are left out, as those of '" << mapped
+        std::cerr << "voxeland map: warning: scans of '" << printable(refused)
+                  << "' are left out, as those of '" << printable(mapped)
                   << "' came first: name the camera to map as depth_sensor_label\n";
 }
 }  // namespace
