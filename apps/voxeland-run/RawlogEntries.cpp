@@ -10,7 +10,7 @@ using namespace mrpt::obs;
 namespace voxeland::apps
 {
 RawlogEntries::RawlogEntries(const std::string& file)
-    : m_rawlog(file),
+    : m_rawlog(RawlogFiles::toRead(file).rawlog.string()),
       m_sidecar(
           RawlogFiles(file), [](const auto&) { return true; }, [](uint32_t) {})
 {

@@ -61,7 +61,9 @@ TEST(GzOutputFile, noticesAFullDeviceInTheMiddleOfAnObject)
         file.writeObject(comment(noise(1000000)));
         FAIL() << "no exception";
     } catch (const OutputError& e) {
-        EXPECT_STREQ(e.what(), "cannot write /dev/full: No space left on device");
+        EXPECT_STREQ(e.what(),
+                     "cannot write /dev/full: No space left on device: free some space or choose "
+                     "another place");
     }
 }
 

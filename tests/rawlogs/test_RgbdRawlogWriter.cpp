@@ -370,6 +370,7 @@ TEST(RgbdRawlogWriter, noticesAFullDiskInTheMiddleOfAFrame)
         FAIL() << "no exception";
     } catch (const OutputError& e) {
         EXPECT_EQ(std::string(e.what()),
-                  "cannot write " + folder.file("k.rawlog.part") + ": File too large");
+                  "cannot write " + folder.file("k.rawlog") +
+                      ": File too large: free some space or choose another place");
     }
 }

@@ -6,7 +6,7 @@
 #include "voxeland/io/GzInputFile.h"
 #include "voxeland/io/GzOutputFile.h"
 #include "voxeland/observations/MaskCamera.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
+#include "voxeland/rawlogs/StagedRawlog.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CSensoryFrame.h>
@@ -138,11 +138,13 @@ class PredictionsWriter
     size_t m_replaced = 0;
 };
 
-/** Makes a rawlog's external images found from a copy of it. \return false if it has none */
-bool linkImages(const fs::path& images, const fs::path& link)
+/** Makes a rawlog's external images found from a copy of it.
+ *  \param link to be made, for the place where `target` is
+ *  \return false if it has none */
+bool linkImages(const fs::path& images, const fs::path& link, const fs::path& target)
 {
     if (!fs::is_directory(images)) return false;
-    const fs::path folder = fs::absolute(link).parent_path();
+    const fs::path folder = fs::absolute(target).parent_path();
     fs::create_directory_symlink(fs::proximate(fs::canonical(images), fs::canonical(folder)), link);
     return true;
 }
@@ -152,7 +154,7 @@ AddedPredictions addPredictions(const std::string& input, const PredictionSource
                                 const std::string& output, const AddPredictionsOptions& options,
                                 const std::function<void(size_t frames, double share)>& progress)
 {
-    const RawlogFiles source(input);
+    const RawlogFiles source = RawlogFiles::toRead(input);
     source.useImages();
     GzInputFile in(input);
     StagedRawlog staged(output);
@@ -160,7 +162,9 @@ AddedPredictions addPredictions(const std::string& input, const PredictionSource
     const bool inPlace = fs::equivalent(source.rawlog, staged.target().rawlog, outputIsNew);
     if (inPlace) staged.keepImages();
 
-    GzOutputFile out((options.embed ? staged.part().rawlog : staged.part().sidecar).string());
+    const auto written = options.embed ? &RawlogFiles::rawlog : &RawlogFiles::sidecar;
+    GzOutputFile out((staged.part().*written).string(), GzOutputFile::FASTEST,
+                     (staged.target().*written).string());
     FrameCounter counter(input, predictions, options.sensorLabel);
     PredictionsWriter writer(in, out, counter, options.embed);
     while (const auto object = in.readObject()) {
@@ -177,7 +181,9 @@ AddedPredictions addPredictions(const std::string& input, const PredictionSource
     counter.checkFound();
     try {
         if (!inPlace && !options.embed) fs::copy_file(source.rawlog, staged.part().rawlog);
-        if (!inPlace) added.imagesLinked = linkImages(source.images, staged.part().images);
+        if (!inPlace)
+            added.imagesLinked =
+                linkImages(source.images, staged.part().images, staged.target().images);
     } catch (const fs::filesystem_error& e) {
         throw OutputError("cannot copy " + input + " to " + output + ": " + e.code().message());
     }
@@ -195,7 +201,7 @@ std::vector<DatasetFrame> rgbdFramesOf(const std::string& rawlog, const std::str
         return nullptr;
     };
     FrameCounter counter(rawlog, list, sensorLabel);
-    GzInputFile in(rawlog);
+    GzInputFile in(RawlogFiles::toRead(rawlog).rawlog.string());
     while (const auto object = in.readObject()) {
         if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object))
             for (const auto& observation : *frame) counter.instancesFor(*observation);

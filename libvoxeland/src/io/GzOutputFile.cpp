@@ -2,20 +2,22 @@
 #include "voxeland/io/GzOutputFile.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/io/AtomicFile.h"
+#include "voxeland/io/writeFailure.h"
 
 #include <mrpt/serialization/CArchive.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <zlib.h>
 
 namespace voxeland
 {
-GzOutputFile::GzOutputFile(const std::string& file, int compressionLevel)
-    : m_name(file), m_file(gzopen(file.c_str(), ("wb" + std::to_string(compressionLevel)).c_str()))
+GzOutputFile::GzOutputFile(const std::string& file, int compressionLevel, const std::string& told)
+    : m_name(told.empty() ? file : told),
+      m_file(gzopen(file.c_str(), ("wb" + std::to_string(compressionLevel)).c_str()))
 {
-    if (!m_file) throw OutputError("cannot create " + file + ": " + std::strerror(errno));
+    if (!m_file) failToWrite(m_name, errno);
 }
 
 GzOutputFile::~GzOutputFile()
@@ -59,8 +61,12 @@ void GzOutputFile::close()
 
 void GzOutputFile::fail()
 {
-    m_failure = "cannot write " + m_name + ": " + std::strerror(errno);
-    throw OutputError(m_failure);
+    try {
+        failToWrite(m_name, errno);
+    } catch (const OutputError& e) {
+        m_failure = e.what();
+        throw;
+    }
 }
 
 size_t GzOutputFile::Read(void*, size_t)
@@ -71,5 +77,14 @@ size_t GzOutputFile::Read(void*, size_t)
 uint64_t GzOutputFile::Seek(int64_t, TSeekOrigin)
 {
     throw std::logic_error("a gzip file cannot be written out of order");
+}
+
+void writeAtomically(const std::string& file, const mrpt::serialization::CSerializable& object)
+{
+    AtomicFile target(file);
+    GzOutputFile out(target.part(), GzOutputFile::FASTEST, target.target());
+    out.writeObject(object);
+    out.close();
+    target.commit();
 }
 }  // namespace voxeland

@@ -125,11 +125,7 @@ mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice)
 
 void exportGridmap(const HeightSlice& slice, const std::string& file)
 {
-    AtomicFile output(file);
-    GzOutputFile stream(output.part());
-    stream.writeObject(gridOf(slice));
-    stream.close();
-    output.commit();
+    writeAtomically(file, gridOf(slice));
 }
 
 std::string rosImageOf(const std::string& yamlFile)

@@ -2,8 +2,8 @@
 #include "voxeland/io/MapScene.h"
 
 #include "LevelPose.h"
-#include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/Colors.h"
+#include "voxeland/io/GzOutputFile.h"
 #include "voxeland/io/OrientedBox.h"
 #include "voxeland/map/MapQueries.h"
 
@@ -12,7 +12,6 @@
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CText.h>
 
-#include <cerrno>
 #include <type_traits>
 
 using mrpt::math::TPoint3D;
@@ -96,8 +95,6 @@ void exportScene(const SemanticVoxelMap& map, const LevelFrame& frame, const std
     setIntensity(lights.ambient, 0.6F);  // the default leaves faces black
     setIntensity(lights.diffuse, 0.4F);
     setIntensity(lights.specular, 0);
-    AtomicFile output(file);
-    if (!scene.saveToFile(output.part())) output.fail(errno);
-    output.commit();
+    writeAtomically(file, scene);
 }
 }  // namespace voxeland

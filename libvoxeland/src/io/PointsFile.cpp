@@ -2,7 +2,6 @@
 #include "voxeland/io/PointsFile.h"
 
 #include "FloatDigits.h"
-#include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/CategorySearch.h"
@@ -13,8 +12,8 @@
 #include <mrpt/opengl/COpenGLScene.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
+#include <iomanip>
 
 using mrpt::maps::CSimplePointsMap;
 
@@ -42,18 +41,23 @@ std::set<instance_id_t> wantedInstances(const SemanticVoxelMap& map, const Point
     return wanted;
 }
 
-void writeSerialized(const CSimplePointsMap& points, const std::string& part)
+void writeText(const std::string& file, const CSimplePointsMap& points)
 {
-    GzOutputFile stream(part);
-    stream.writeObject(points);
-    stream.close();
+    writeAtomically(file, [&](std::ostream& out) {
+        out << std::fixed << std::setprecision(6);
+        for (size_t i = 0; i < points.size(); ++i) {
+            float x = 0, y = 0, z = 0;
+            points.getPoint(i, x, y, z);
+            out << x << ' ' << y << ' ' << z << '\n';
+        }
+    });
 }
 
-bool writeScene(const CSimplePointsMap& points, const std::string& part)
+mrpt::opengl::COpenGLScene sceneOf(const CSimplePointsMap& points)
 {
     mrpt::opengl::COpenGLScene scene;
     scene.insert(points.getVisualization());
-    return scene.saveToFile(part);
+    return scene;
 }
 }  // namespace
 
@@ -83,14 +87,12 @@ size_t exportPoints(const SemanticVoxelMap& map, const PointsFilter& filter,
     if (ending != ".txt" && ending != ".metricmap" && ending != ".3Dscene")
         throw ConfigurationError("'" + file + "' must end in .txt, .metricmap or .3Dscene");
     const CSimplePointsMap points = pointsOf(map, filter);
-    AtomicFile output(file);
-    const ClassicNumbers inText;
-    if (ending == ".metricmap")
-        writeSerialized(points, output.part());
-    else if (!(ending == ".txt" ? points.save3D_to_text_file(output.part())
-                                : writeScene(points, output.part())))
-        output.fail(errno);
-    output.commit();
+    if (ending == ".txt")
+        writeText(file, points);
+    else if (ending == ".metricmap")
+        writeAtomically(file, points);
+    else
+        writeAtomically(file, sceneOf(points));
     return points.size();
 }
 }  // namespace voxeland

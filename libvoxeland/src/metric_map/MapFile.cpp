@@ -2,7 +2,6 @@
 #include "voxeland/metric_map/MapFile.h"
 
 #include "voxeland/errors.h"
-#include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/GzInputFile.h"
 #include "voxeland/io/GzOutputFile.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
@@ -49,10 +48,6 @@ std::shared_ptr<CVoxelandMap> loadMap(const std::string& file)
 
 void saveMap(const CVoxelandMap& map, const std::string& file)
 {
-    AtomicFile target(file);
-    GzOutputFile out(target.part());
-    out.writeObject(map);
-    out.close();
-    target.commit();
+    writeAtomically(file, map);
 }
 }  // namespace voxeland

@@ -14,7 +14,9 @@ namespace fs = std::filesystem;
 namespace voxeland
 {
 FrameFinder::FrameFinder(const std::string& file, const InputOptions& options, Times wanted)
-    : m_options(options), m_wanted(std::move(wanted)), m_input(std::make_unique<GzInputFile>(file))
+    : m_options(options),
+      m_wanted(std::move(wanted)),
+      m_input(std::make_unique<GzInputFile>(RawlogFiles::toRead(file).rawlog.string()))
 {
     const RawlogFiles files(file);
     files.useImages();

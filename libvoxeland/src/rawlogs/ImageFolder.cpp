@@ -2,6 +2,7 @@
 #include "ImageFolder.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/io/writeFailure.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 
 namespace fs = std::filesystem;
@@ -20,23 +20,6 @@ namespace voxeland
 {
 namespace
 {
-[[noreturn]] void cannotWrite(const fs::path& file)
-{
-    throw OutputError("cannot write " + file.string() + ": " + std::strerror(errno));
-}
-
-void writeJpeg(const cv::Mat& image, const fs::path& file)
-{
-    std::vector<uint8_t> bytes;
-    cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, JPEG_QUALITY});
-    errno = 0;
-    std::ofstream out(file, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()),
-              static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) cannotWrite(file);
-}
-
 /** Number of bytes a gzip file unpacks to (modulo 2^32), as its last four bytes say. */
 uint32_t unpackedSize(const fs::path& file)
 {
@@ -50,12 +33,30 @@ uint32_t unpackedSize(const fs::path& file)
 }
 }  // namespace
 
-ImageFolder::ImageFolder(fs::path folder) : m_folder(std::move(folder))
+ImageFolder::ImageFolder(fs::path folder, fs::path told)
+    : m_folder(std::move(folder)), m_told(std::move(told))
 {
     std::error_code error;
     fs::create_directory(m_folder, error);
-    if (error)
-        throw OutputError("cannot create the folder " + m_folder.string() + ": " + error.message());
+    if (error) failToWrite(m_told.string(), error.value());
+}
+
+/** \param file in the folder, which errno is about */
+void ImageFolder::fail(const fs::path& file) const
+{
+    failToWrite((m_told / file.filename()).string(), errno);
+}
+
+void ImageFolder::writeJpeg(const cv::Mat& image, const fs::path& file) const
+{
+    std::vector<uint8_t> bytes;
+    cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, JPEG_QUALITY});
+    errno = 0;
+    std::ofstream out(file, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) fail(file);
 }
 
 void ImageFolder::moveImagesOf(mrpt::obs::CObservation3DRangeScan& scan)
@@ -82,7 +83,7 @@ void ImageFolder::moveColour(mrpt::obs::CObservation3DRangeScan& scan,
         std::error_code error;
         fs::copy_file(source, target, fs::copy_options::overwrite_existing, error);
         if (error)
-            throw OutputError("cannot copy " + source.string() + " to " + target.string() + ": " +
+            throw OutputError("cannot copy " + source.string() + " to " + m_told.string() + ": " +
                               error.message());
     }
     image = mrpt::img::CImage();
@@ -101,9 +102,9 @@ void ImageFolder::moveRanges(mrpt::obs::CObservation3DRangeScan& scan,
         scan.rangeImage_convertToExternalStorage(file.filename().string(), m_folder.string());
     } catch (const std::exception&) {
         mrpt::img::CImage::setImagesPathBase(basePath);  // MRPT leaves it changed
-        cannotWrite(file);
+        fail(file);
     }
     // MRPT does not notice a disk that is full when the file is closed.
-    if (unpackedSize(file) != static_cast<uint32_t>(bytes)) cannotWrite(file);
+    if (unpackedSize(file) != static_cast<uint32_t>(bytes)) fail(file);
 }
 }  // namespace voxeland

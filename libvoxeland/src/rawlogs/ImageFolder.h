@@ -8,6 +8,11 @@ namespace mrpt::obs
 class CObservation3DRangeScan;
 }
 
+namespace cv
+{
+class Mat;
+}
+
 namespace voxeland
 {
 constexpr int JPEG_QUALITY = 95;  //!< of colour images in rawlogs; MRPT's own default
@@ -17,17 +22,21 @@ constexpr int JPEG_QUALITY = 95;  //!< of colour images in rawlogs; MRPT's own d
 class ImageFolder
 {
  public:
-    /** Creates the folder. \throws OutputError if that is not possible */
-    explicit ImageFolder(std::filesystem::path folder);
+    /** Creates the folder.
+     *  \param told its name in messages, where its own is a temporary one
+     *  \throws OutputError if that is not possible */
+    ImageFolder(std::filesystem::path folder, std::filesystem::path told);
 
     /** Moves the scan's colour and range images to files and leaves references to them.
      *  \throws OutputError if they cannot be written */
     void moveImagesOf(mrpt::obs::CObservation3DRangeScan& scan);
 
  private:
+    [[noreturn]] void fail(const std::filesystem::path& file) const;
+    void writeJpeg(const cv::Mat& image, const std::filesystem::path& file) const;
     void moveColour(mrpt::obs::CObservation3DRangeScan& scan, const std::string& stem) const;
     void moveRanges(mrpt::obs::CObservation3DRangeScan& scan, const std::string& stem) const;
 
-    std::filesystem::path m_folder;
+    std::filesystem::path m_folder, m_told;
 };
 }  // namespace voxeland

@@ -53,7 +53,7 @@ RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions
       m_cameras("scans", options.depth_sensor_label, "depth_sensor_label"),
       m_detectors("predictions", options.instances_sensor_label, "instances_sensor_label"),
       m_poseSensors("poses", options.pose_sensor_label, "pose_sensor_label"),
-      m_input(std::make_unique<GzInputFile>(file)),
+      m_input(std::make_unique<GzInputFile>(RawlogFiles::toRead(file).rawlog.string())),
       m_sidecar(
           RawlogFiles(file), [this](const auto& p) { return isOfTheDetector(p); },
           [this](uint32_t laterFrame) { countWithoutFrame(laterFrame); }),

@@ -3,7 +3,7 @@
 
 #include "ImageFolder.h"
 #include "voxeland/io/GzOutputFile.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
+#include "voxeland/rawlogs/StagedRawlog.h"
 
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
@@ -50,9 +50,13 @@ class JpegScope
 struct RgbdRawlogWriter::Implementation
 {
     Implementation(const std::string& file, const Options& o)
-        : options(o), staged(file), rawlog(staged.part().rawlog.string())
+        : options(o),
+          staged(file),
+          rawlog(staged.part().rawlog.string(), GzOutputFile::FASTEST,
+                 staged.target().rawlog.string())
     {
-        if (!options.embedImages) images.emplace(staged.part().images);
+        if (!options.embedImages)
+            images.emplace(staged.part().images, staged.target().images.string());
     }
 
     /** What is known of a frame and belongs in the rawlog, in order. */
@@ -143,7 +147,9 @@ void RgbdRawlogWriter::write(const RgbdRecord& record)
     else
         m->writeAsEntries(record);
     if (!record.instances || m->options.embedInstances) return;
-    if (!m->sidecar) m->sidecar.emplace(m->staged.part().sidecar.string());
+    if (!m->sidecar)
+        m->sidecar.emplace(m->staged.part().sidecar.string(), GzOutputFile::FASTEST,
+                           m->staged.target().sidecar.string());
     m->sidecar->writeObject(*record.instances);
 }
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <memory>
 #include <ostream>
 #include <string>
 
 namespace voxeland
 {
-/** A file being written under a temporary name in the folder of its target, so that nobody ever
- *  sees half of it: write to part(), then commit(). Each writer has a name of its own, and holds a
- *  lock on it while it writes; parts of writers that were killed are removed by the next one.
+class OutputPart;
+
+/** A file being written under a temporary name in the folder of its target (see
+ *  OutputPart), so that nobody ever sees half of it: write to part(), then commit().
  * Targets that are no regular files (devices, pipes) are written directly. */
 class AtomicFile
 {
@@ -21,6 +23,8 @@ class AtomicFile
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
+    /** What will be written, links followed. */
+    [[nodiscard]] const std::string& target() const { return m_target; }
     /** Where to write: the file is there, and empty, once it was asked for.
      *  \throws OutputError if it cannot be created */
     [[nodiscard]] const std::string& part();
@@ -29,14 +33,13 @@ class AtomicFile
     /** Puts the finished part, once it is on the disk, in the place of the target.
      *  \throws OutputError if that fails */
     void commit();
-    /** An OutputError that names the target, the reason (the system's errno, if any) and what to
-     *  do. */
+    /** As failToWrite(), of the target. */
     [[noreturn]] void fail(int error) const;
 
  private:
-    std::string m_target, m_part;  //!< the part is empty until it was asked for
-    int m_lock = -1;               //!< descriptor of the part, which the lock is held through
-    bool m_direct = false, m_committed = false;
+    std::string m_target;
+    std::unique_ptr<OutputPart> m_part;  //!< null until it was asked for
+    bool m_direct = false;
 };
 
 /** Makes sure before long work that a file may be written after it: that its folder, or the device

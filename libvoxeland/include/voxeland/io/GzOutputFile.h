@@ -18,9 +18,13 @@ namespace voxeland
 class GzOutputFile : public mrpt::io::CStream
 {
  public:
-    /** \param compressionLevel 0 (none) to 9; 1, MRPT's default, is the fastest
+    static constexpr int FASTEST = 1;  //!< level of compression; MRPT's default
+
+    /** \param compressionLevel 0 (none) to 9
+     *  \param told name of the file in messages, where its own is a temporary one; empty: its own
      *  \throws OutputError if the file cannot be created */
-    explicit GzOutputFile(const std::string& file, int compressionLevel = 1);
+    explicit GzOutputFile(const std::string& file, int compressionLevel = FASTEST,
+                          const std::string& told = "");
     /** Closes without a check: call close() to know. */
     ~GzOutputFile() override;
     GzOutputFile(const GzOutputFile&) = delete;
@@ -51,4 +55,8 @@ class GzOutputFile : public mrpt::io::CStream
     gzFile_s* m_file = nullptr;
     uint64_t m_position = 0;
 };
+
+/** Writes a file of one MRPT object through AtomicFile.
+ *  \throws OutputError, naming the file, if not all of it could be written */
+void writeAtomically(const std::string& file, const mrpt::serialization::CSerializable& object);
 }  // namespace voxeland

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+namespace voxeland
+{
+/** A new, empty file or folder under a temporary name beside its target, to be written and moved
+ * to its place. Each has a name of its own and is locked as long as the object lives; parts of
+ * writers that were killed are removed by the next one. */
+class OutputPart
+{
+ public:
+    enum class Kind
+    {
+        file,
+        folder
+    };
+
+    /** \throws OutputError if it cannot be created */
+    OutputPart(const std::string& target, Kind kind);
+    /** Removes it, and what is in it, unless it was moved. */
+    ~OutputPart();
+    OutputPart(const OutputPart&) = delete;
+    OutputPart& operator=(const OutputPart&) = delete;
+
+    /** Where to write. */
+    [[nodiscard]] const std::string& path() const { return m_path; }
+    /** Waits until what was written is on the disk, and gives it another name in the same folder,
+     * in the place of what has it. Stays locked.
+     *  \return 0, or the system's errno if that fails */
+    [[nodiscard]] int moveTo(const std::string& name);
+
+ private:
+    bool create(const std::string& path);
+    [[nodiscard]] int sync() const;
+
+    Kind m_kind;
+    std::string m_path;  //!< empty once it was moved
+    int m_lock = -1;     //!< descriptor that the lock is held through
+};
+
+/** Whether what was opened as the descriptor is what has that name now. */
+[[nodiscard]] bool isNamed(int descriptor, const std::string& path);
+
+/** Makes renamings in a file's folder outlast a loss of power, where the file system can. */
+void syncFolderOf(const std::string& file);
+}  // namespace voxeland
