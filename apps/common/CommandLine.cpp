@@ -14,10 +14,12 @@
 #include <iostream>
 #include <list>
 #include <new>
-#include <regex>
 #include <set>
+#include <stdexcept>
 
 using mrpt::system::VerbosityLevel;
+
+namespace fs = std::filesystem;
 
 namespace voxeland::apps
 {
@@ -28,8 +30,12 @@ constexpr const char* LEVELS = "DEBUG, INFO, WARN, ERROR";
 /** What is wrong with a command line, with the option's name. */
 std::string problem(const TCLAP::ArgException& e)
 {
-    static const std::regex decoration(R"(^Argument: |[()])");
-    const std::string option = std::regex_replace(e.argId(), decoration, ""), error = e.error();
+    static const std::string TITLE = "Argument: ";
+    std::string option = e.argId();
+    const std::string error = e.error();
+    if (option.compare(0, TITLE.size(), TITLE) == 0) option.erase(0, TITLE.size());
+    const auto isBracket = [](char c) { return c == '(' || c == ')'; };
+    option.erase(std::remove_if(option.begin(), option.end(), isBracket), option.end());
     if (error.compare(0, 15, "Missing a value") == 0) return option + " needs a value";
     if (error.compare(0, 19, "Couldn't find match") == 0) return "there is no option " + option;
     return option + ": " + error;
@@ -111,6 +117,28 @@ int fail(const std::string& program, const std::string& text, int exitCode)
     say(program + ": " + text, LONGEST);
     return exitCode;
 }
+/** A message without the place in MRPT's sources that begins its own: "file.cpp:57: [function] ".
+ */
+std::string withoutPlace(const std::string& text)
+{
+    const size_t function = text.find(": ["), end = text.find("] ");
+    if (function == std::string::npos || end == std::string::npos || end < function) return text;
+    const fs::path place = text.substr(0, text.rfind(':', function - 1));
+    const bool isSource = place.extension() == ".cpp" || place.extension() == ".h";
+    return isSource && place.string().find(' ') == std::string::npos ? text.substr(end + 2) : text;
+}
+
+/** Whether a message is one of a library for programmers: nobody has said what it means. */
+bool isJargon(const std::exception& e, const std::string& message)
+{
+    const auto begins = [&](const std::string& start) {
+        return message.compare(0, start.size(), start) == 0;
+    };
+    return begins("OpenCV(") || begins("[json.exception") ||
+           message.find(' ') == std::string::npos ||
+           dynamic_cast<const std::length_error*>(&e) != nullptr ||
+           dynamic_cast<const std::out_of_range*>(&e) != nullptr;
+}
 }  // namespace
 
 CommandLine::CommandLine(const std::string& description)
@@ -178,16 +206,19 @@ void CommandLine::warn(const std::string& text)
 
 std::string sentence(const std::exception& e)
 {
+    if (const auto* files = dynamic_cast<const fs::filesystem_error*>(&e))
+        return "cannot use '" + files->path1().string() + "': " + files->code().message() +
+               ": correct the path or its permissions";
     const auto* mrpts = dynamic_cast<const mrpt::ExceptionWithCallBackBase*>(&e);
     const std::string text = mrpts != nullptr ? mrpts->originalWhat : e.what();
-    // MRPT's own begin with a place in its sources: "file.cpp:57: [function] ".
-    static const std::regex place(R"(^\S+\.(cpp|h):\d+: \[[^\]]*\] )");
-    return std::regex_replace(text.substr(0, text.find('\n')), place, "");
+    const std::string line = withoutPlace(text.substr(0, text.find('\n')));
+    return isJargon(e, line) ? "an input is damaged or not of the kind that is expected (" + line +
+                                   "): leave out one after the other to find it"
+                             : line;
 }
 
 void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs)
 {
-    namespace fs = std::filesystem;
     const auto place = [](const std::string& file) {
         return fs::weakly_canonical(fs::absolute(file));
     };

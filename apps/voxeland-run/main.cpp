@@ -10,11 +10,11 @@
 #include <mrpt/apps/MonteCarloLocalization_App.h>
 #include <mrpt/apps/RBPF_SLAM_App.h>
 #include <mrpt/config/CConfigFile.h>
+#include <mrpt/system/string_utils.h>
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <regex>
 #include <set>
 #include <unistd.h>
 
@@ -74,18 +74,37 @@ class WithVoxeland : public Application
     std::unique_ptr<apps::RawlogEntries> m_entries;
 };
 
+/** What a section's name says of the map that it is about, as
+ *  "MappingApplication_voxelandMap_00" in "MappingApplication_voxelandMap_00_creationOpts"; empty
+ *  if it is about none of ours. */
+std::string mapOf(const std::string& section)
+{
+    static const std::string CLASS = "voxelandmap_";
+    const std::string name = mrpt::system::lowerCase(section);
+    const size_t found = name.rfind(CLASS);
+    if (found == std::string::npos) return {};
+    std::string before = name.substr(0, found);
+    for (const std::string part : {"c", "voxeland::"})
+        if (before.size() >= part.size() &&
+            before.compare(before.size() - part.size(), part.size(), part) == 0)
+            before.resize(before.size() - part.size());
+    const size_t number = found + CLASS.size();
+    const size_t end = name.find_first_not_of("0123456789", number);
+    const bool isMap = !before.empty() && before.back() == '_' && end != std::string::npos &&
+                       end > number && name[end] == '_';
+    return isMap ? section.substr(0, end) : std::string();
+}
+
 /** Checks the Voxeland maps that an INI defines, before MRPT does: what is thrown inside its
  *  applications arrives as an exception of its own. \throws ConfigurationError, PluginError */
 void checkMaps(const std::string& ini)
 {
     const mrpt::config::CConfigFile config(ini);
-    const std::regex ofAMap("(.*_(voxeland::)?C?voxelandMap_[0-9]+)_.*", std::regex::icase);
     std::vector<std::string> sections;
     config.getAllSections(sections);
     std::set<std::string> maps;
-    std::smatch parts;
     for (const std::string& section : sections)
-        if (std::regex_match(section, parts, ofAMap)) maps.insert(parts[1]);
+        if (const std::string map = mapOf(section); !map.empty()) maps.insert(map);
     for (const std::string& map : maps)
         CVoxelandMap::TMapDefinition().loadFromConfigFile(config, map);
 }

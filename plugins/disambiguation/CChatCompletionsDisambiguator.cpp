@@ -3,6 +3,7 @@
 
 #include "ServerUrl.h"
 #include "voxeland/counted.h"
+#include "voxeland/files/Json.h"
 
 #include <mrpt/core/initializer.h>
 
@@ -108,7 +109,7 @@ std::vector<std::string> CChatCompletionsDisambiguator::configurationProblems()
     if (!m_caFile.empty() && !std::filesystem::is_regular_file(m_caFile))
         problems.emplace_back("ca_file = '" + m_caFile + "' is not a file");
     if (!m_extraBody.empty()) {
-        m_chat.extra = nlohmann::json::parse(m_extraBody, nullptr, false);
+        m_chat.extra = jsonFrom(m_extraBody).value_or(nlohmann::json());
         if (!m_chat.extra.is_object())
             problems.emplace_back("extra_body = '" + m_extraBody + "' is not a JSON object");
     }

@@ -2,6 +2,7 @@
 #include "ChatProtocol.h"
 
 #include "voxeland/disambiguation/Thoughts.h"
+#include "voxeland/files/Json.h"
 #include "voxeland/trimmed.h"
 
 #include <mrpt/system/string_utils.h>
@@ -75,18 +76,17 @@ std::string reasoningOf(const json& message)
 }
 
 /** A reply that came in pieces although that was not asked for, as the lines "data: {...}" of a
- * stream, in one piece; any other as it is. */
-json wholeReply(const std::string& reply)
+ * stream, in one piece; any other as it is; nothing if it is neither. */
+std::optional<json> wholeReply(const std::string& reply)
 {
-    const json body = json::parse(reply, nullptr, false);
-    if (!body.is_discarded()) return body;
+    if (auto body = jsonFrom(reply)) return body;
     static const std::string DATA = "data:";
     json whole = json::object(), choice = json::object();
     std::string content, reasoning;
     std::istringstream lines(reply);
     for (std::string line; std::getline(lines, line);) {
         if (line.compare(0, DATA.size(), DATA) != 0) continue;
-        const json piece = json::parse(line.substr(DATA.size()), nullptr, false);
+        const json piece = jsonFrom(line.substr(DATA.size())).value_or(json());
         if (!piece.is_object()) continue;
         for (const char* name : {"model", "usage", "error"})
             if (piece.contains(name) && !piece[name].is_null()) whole[name] = piece[name];
@@ -96,10 +96,12 @@ json wholeReply(const std::string& reply)
         content += textMember(delta, "content");
         reasoning += reasoningOf(delta);
         choice["finish_reason"] = part.value("finish_reason", json());
-        choice["message"] = {{"content", content}, {"reasoning", reasoning}};
     }
-    if (choice.empty() && !whole.contains("error")) return body;
-    if (!choice.empty()) whole["choices"] = json::array({choice});
+    if (choice.empty() && !whole.contains("error")) return std::nullopt;
+    if (!choice.empty()) {
+        choice["message"] = {{"content", content}, {"reasoning", reasoning}};
+        whole["choices"] = json::array({choice});
+    }
     return whole;
 }
 
@@ -185,7 +187,7 @@ json chatRequest(const DisambiguationQuestion& question, const ChatOptions& opti
 
 bool adaptRequest(json& request, const std::string& error)
 {
-    const json reply = json::parse(error, nullptr, false);
+    const json reply = jsonFrom(error).value_or(json());
     const json details = reply.is_object() ? reply.value("error", json()) : json();
     const std::string parameter = textMember(details, "param"), message = serverMessage(error);
     const auto concerns = [&](const std::string& name) {
@@ -203,11 +205,13 @@ bool adaptRequest(json& request, const std::string& error)
 
 DisambiguationAnswer chatAnswer(const std::string& reply)
 {
-    const json body = wholeReply(reply);
-    if (body.is_discarded())
-        throw std::runtime_error("sent no valid JSON: " + serverMessage(reply));
+    const auto whole = wholeReply(reply);
+    if (!whole) throw std::runtime_error("sent no valid JSON: " + serverMessage(reply));
+    const json& body = *whole;
     if (!body.is_object() || !body.contains("choices"))
-        throw std::runtime_error("sent no chat completion: " + serverMessage(body.dump()));
+        throw std::runtime_error(
+            "sent no chat completion: " +
+            serverMessage(body.dump(-1, ' ', false, json::error_handler_t::replace)));
     const json choice = firstMember(body, "choices");
     if (!choice.is_object() || !choice.contains("message") || !choice["message"].is_object())
         throw std::runtime_error("sent a chat completion without a message");
@@ -229,7 +233,7 @@ DisambiguationAnswer chatAnswer(const std::string& reply)
 
 std::string serverMessage(const std::string& reply)
 {
-    json body = json::parse(reply, nullptr, false);
+    json body = jsonFrom(reply).value_or(json());
     if (body.is_array() && !body.empty()) body = json(body.front());  // Gemini
     std::string message;
     if (body.is_object()) {

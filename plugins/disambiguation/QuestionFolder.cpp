@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QuestionFolder.h"
 
+#include "voxeland/errors.h"
+#include "voxeland/files/Json.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/OutputFolder.h"
 #include "voxeland/printable.h"
 #include "voxeland/trimmed.h"
-
-#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <sstream>
@@ -110,16 +110,16 @@ std::optional<DisambiguationAnswer> QuestionFolder::answer() const
     const fs::path file = m_path / RECORDED_ANSWER;
     if (!fs::exists(file)) return std::nullopt;
     try {
-        std::ifstream in(file);
-        const json recorded = json::parse(in);
+        const json recorded = readJson(file.string());
         answer.text = recorded.at("text");
         answer.model = recorded.at("model");
         answer.promptTokens = recorded.at("prompt_tokens");
         answer.answerTokens = recorded.at("answer_tokens");
         answer.seconds = recorded.at("seconds");
-    } catch (const json::exception& e) {
-        throw DisambiguationError(file.string() + " is no recorded answer: remove it to ask again" +
-                                      " (" + e.what() + ")",
+    } catch (const InputError& e) {
+        throw DisambiguationError(std::string(e.what()) + ": remove it to ask again", false);
+    } catch (const json::exception&) {
+        throw DisambiguationError(file.string() + " is no recorded answer: remove it to ask again",
                                   false);
     }
     return answer;

@@ -342,9 +342,9 @@ TEST_F(CocoPredictionsTest, saysWhereJsonBreaksOff)
     EXPECT_EQ(complaint(std::string("[\n  {\"image_id\": 3,\n")),
               " is not valid JSON at line 3, column 1, its end: it is cut off");
     EXPECT_EQ(complaint(std::string("[\n  {\"image_id\": }]")),
-              " is not valid JSON at line 2, column 16");
+              " is not valid JSON at line 2, column 16: correct it there");
     EXPECT_EQ(complaint(std::string("[{\"score\": Nan}]")),
-              " is not valid JSON at line 1, column 12");
+              " is not valid JSON at line 1, column 12: correct it there");
     EXPECT_EQ(complaint(std::string("")), " is empty: JSON is expected");
     EXPECT_EQ(complaint(std::string("{\"image_id\": 3}")).substr(0, 35),
               " is not in the COCO results format:");

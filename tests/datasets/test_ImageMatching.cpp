@@ -53,6 +53,30 @@ TEST(ImageMatching, namesDecideHoweverTheyAreWritten)
     }
 }
 
+TEST(ImageMatching, hashesOfLabellingProgramsAreRecognizedAlone)
+{
+    const auto isFrame = [](const std::string& name) {
+        return matchImages(named({name}), true, KITCHEN).imageOf == Positions{NONE, 0};
+    };
+    EXPECT_TRUE(isFrame("frame-000001_color.rf.ab12.png"));
+    EXPECT_TRUE(isFrame("frame-000001_color_jpeg.rf.AB12.rf.0"));
+    EXPECT_FALSE(isFrame("frame-000001_color_gif.rf.ab12.png"));
+    EXPECT_TRUE(isFrame("0f12ab9c-frame-000001.color.png"));
+    EXPECT_FALSE(isFrame("0f12ab9-frame-000001.color.png"));
+    EXPECT_FALSE(isFrame("0f12ab9cd-frame-000001.color.png"));
+    EXPECT_FALSE(isFrame("0f12ab9g-frame-000001.color.png"));
+}
+
+TEST(ImageMatching, aNameOfAMegabyteIsOneAmongOthers)
+{
+    for (const std::string part : {".rf.", "a", ".", "_jpg.rf.a", "/", "0"}) {
+        std::string name;
+        while (name.size() < 1000000) name += part;
+        const auto matching = matchImages(named({name, "frame-000001.color.png"}), true, KITCHEN);
+        EXPECT_EQ(matching.imageOf, (Positions{NONE, 1})) << part;
+    }
+}
+
 TEST(ImageMatching, foldersTellEqualNamesApart)
 {
     const auto frames = framesWith({"seq-01/0.png", "seq-02/0.png", "seq-02/1.png"});

@@ -29,9 +29,10 @@ TEST(TextFile, whatIsNoTextIsNamed)
         return std::string();
     };
     const std::string file = folder.file("a.txt");
-    EXPECT_EQ(complaint(file), "cannot read the label map " + file);
-    EXPECT_EQ(complaint(folder.path().string()),
-              "cannot read the label map " + folder.path().string() + ": it is a folder");
+    EXPECT_EQ(complaint(file), "cannot read the label map " + file + ": there is no such file");
+    EXPECT_EQ(
+        complaint(folder.path().string()),
+        "cannot read the label map " + folder.path().string() + ": it is a folder: name a file");
     for (const std::string mark : {"\xFF\xFE", "\xFE\xFF"}) {
         test::writeFile(file, mark + std::string("a\0b\0", 4));
         EXPECT_EQ(complaint(file), "the label map " + file + " is UTF-16 text: save it as UTF-8");

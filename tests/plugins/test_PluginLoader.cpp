@@ -116,6 +116,38 @@ TEST(PluginLoader, APluginWithAnUnresolvedSymbolNamesIt)
     EXPECT_TRUE(contains(message, "unresolved_plugin.so")) << message;
 }
 
+TEST(PluginLoader, APluginThatEndsTheProgramIsRefused)
+{
+    for (const auto& [how, what] : {std::pair("abort", "ends the program (Aborted)"),
+                                    std::pair("crash", "ends the program (Segmentation fault)"),
+                                    std::pair("throw", "throws an exception: no \\x1b[2Jlicence"),
+                                    std::pair("throw while loading", "ends the program")})
+    {
+        setenv("VOXELAND_TEST_ENDING", how, 1);
+        const std::string message = pluginError([] { loadPlugin("ending_plugin", {MODULES}); });
+        EXPECT_TRUE(contains(message, what)) << message;
+        EXPECT_TRUE(contains(message, "ending_plugin.so")) << message;
+    }
+    unsetenv("VOXELAND_TEST_ENDING");
+}
+
+TEST(PluginLoader, APluginThatIsCutOffIsRefusedWhereverItIsCut)
+{
+    const test::TemporaryFolder folder;
+    const std::string whole = test::readFile(MODULES + "/test_plugin.so");
+    for (size_t part = 0; part < 20; ++part) {
+        test::writeFile(folder.file("cut.so"), whole.substr(0, whole.size() * part / 20));
+        const std::string message = pluginError([&] { loadPlugin(folder.file("cut.so"), {}); });
+        EXPECT_TRUE(contains(message, "is cut off") || contains(message, "is no shared library"))
+            << part << ": " << message;
+    }
+    std::string other = whole;
+    other[18] = 0x28;  // e_machine: ARM
+    test::writeFile(folder.file("arm.so"), other);
+    const std::string message = pluginError([&] { loadPlugin(folder.file("arm.so"), {}); });
+    EXPECT_TRUE(contains(message, "for another kind of machine")) << message;
+}
+
 TEST(PluginLoader, ALibraryThatIsNotOursLacksTheClass)
 {
     EXPECT_NO_THROW(loadPlugin("foreign_library", {MODULES}));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/CategoryNames.h"
 
-#include "JsonFile.h"
 #include "YamlNames.h"
 #include "voxeland/errors.h"
 #include "voxeland/files/Csv.h"
+#include "voxeland/files/Json.h"
 #include "voxeland/files/TextFile.h"
 #include "voxeland/numbers.h"
 #include "voxeland/trimmed.h"

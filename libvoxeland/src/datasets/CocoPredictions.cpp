@@ -2,7 +2,7 @@
 #include "voxeland/datasets/CocoPredictions.h"
 
 #include "CocoReader.h"
-#include "JsonFile.h"
+#include "voxeland/files/Json.h"
 
 namespace voxeland
 {

@@ -28,8 +28,10 @@ double numberOf(const json& value, const std::string& what)
 std::optional<int64_t> wholeNumber(const json& value)
 {
     constexpr double LARGEST = 9e15;
+    const bool isHuge =
+        value.is_number_unsigned() && value.get<uint64_t>() > static_cast<uint64_t>(INT64_MAX);
+    if (!value.is_number() || isHuge) return std::nullopt;
     if (value.is_number_integer()) return value.get<int64_t>();
-    if (!value.is_number()) return std::nullopt;
     const auto number = value.get<double>();
     if (std::abs(number) > LARGEST || number != std::floor(number)) return std::nullopt;
     return static_cast<int64_t>(number);
@@ -126,7 +128,8 @@ CocoReader::CocoReader(CocoPredictions& target, const CategoryNames& names)
 
 void CocoReader::read(const json& root)
 {
-    const json list = listIn(root);
+    json byImage;
+    const json& list = listIn(root, byImage);
     if (root.is_object() && root.contains("categories")) readCategories(root.at("categories"));
     if (root.is_object() && root.contains("images")) readImages(root.at("images"));
     learnNumbering(list);
@@ -148,7 +151,7 @@ void CocoReader::read(const json& root)
     checkBoxes();
 }
 
-json CocoReader::listIn(const json& root) const
+const json& CocoReader::listIn(const json& root, json& byImage) const
 {
     if (root.is_array()) return root;
     if (root.is_object())
@@ -160,13 +163,13 @@ json CocoReader::listIn(const json& root) const
         throw InputError(m_target.m_file +
                          " is not in the COCO results format: a list of predictions, or an object"
                          " with one named 'annotations', is expected");
-    json list = json::array();
+    byImage = json::array();
     for (const auto& [image, predictions] : root.items())
         for (json p : predictions) {
             if (p.is_object() && !p.contains("image_id")) p["image_id"] = image;
-            list.push_back(std::move(p));
+            byImage.push_back(std::move(p));
         }
-    return list;
+    return byImage;
 }
 
 void CocoReader::readCategories(const json& list)

@@ -28,7 +28,8 @@ class CocoReader
         using std::runtime_error::runtime_error;
     };
 
-    [[nodiscard]] nlohmann::json listIn(const nlohmann::json& root) const;
+    [[nodiscard]] const nlohmann::json& listIn(const nlohmann::json& root,
+                                               nlohmann::json& byImage) const;
     void readCategories(const nlohmann::json& list);
     void readImages(const nlohmann::json& list);
     void learnNumbering(const nlohmann::json& list);

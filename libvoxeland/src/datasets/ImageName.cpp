@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
+#include <initializer_list>
 
 namespace voxeland
 {
@@ -13,10 +13,21 @@ namespace
 {
 const std::string DIGITS = "0123456789";
 
+bool isIn(const std::string& word, std::initializer_list<const char*> words)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 std::string withoutEnding(const std::string& path)
 {
-    static const std::regex ENDING(R"(\.(jpe?g|png|bmp|tiff?|webp|ppm|pgm)$)", std::regex::icase);
-    return std::regex_replace(path, ENDING, "");
+    const size_t point = path.rfind('.');
+    if (point == std::string::npos) return path;
+    std::string ending = path.substr(point + 1);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool isImage =
+        isIn(ending, {"jpg", "jpeg", "png", "bmp", "tif", "tiff", "webp", "ppm", "pgm"});
+    return isImage ? path.substr(0, point) : path;
 }
 }  // namespace
 
@@ -46,14 +57,33 @@ std::vector<std::string> imagePath(const std::string& path)
 
 std::string beforeRoboflow(const std::string& path)
 {
-    static const std::regex HASH(R"((_(jpe?g|png))?\.rf\.[0-9a-zA-Z]+)");
-    return std::regex_replace(path, HASH, "");
+    static const std::string MARK = ".rf.", ALNUM = DIGITS + "abcdefghijklmnopqrstuvwxyz" +
+                                                    "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    std::string name;
+    size_t copied = 0;
+    for (size_t at = 0; (at = path.find(MARK, at)) != std::string::npos;) {
+        const size_t hash = at + MARK.size();
+        const size_t end = std::min(path.size(), path.find_first_not_of(ALNUM, hash));
+        if (end > hash) {
+            name.append(path, copied, at - copied);
+            const size_t mark = name.rfind('_');
+            if (mark != std::string::npos && isIn(name.substr(mark), {"_jpg", "_jpeg", "_png"}))
+                name.resize(mark);
+            copied = end;
+        }
+        at = end;
+    }
+    return name.append(path, copied);
 }
 
 std::string beforeLabelStudio(const std::string& path)
 {
-    static const std::regex PREFIX(R"((^|[/\\])[0-9a-f]{8}-([^/\\]*)$)");
-    return std::regex_replace(path, PREFIX, "$1$2");
+    constexpr size_t HASH = 8;
+    const size_t slash = path.find_last_of("/\\");
+    const size_t name = slash == std::string::npos ? 0 : slash + 1;
+    const bool isHashed =
+        path.find_first_not_of("0123456789abcdef", name) == name + HASH && path[name + HASH] == '-';
+    return isHashed ? std::string(path).erase(name, HASH + 1) : path;
 }
 
 std::optional<int64_t> numberIn(const std::string& path)

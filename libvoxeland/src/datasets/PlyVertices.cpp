@@ -2,13 +2,15 @@
 #include "PlyVertices.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 #include "voxeland/numbers.h"
+#include "voxeland/printable.h"
 #include "voxeland/trimmed.h"
 
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -18,6 +20,8 @@ namespace voxeland
 {
 namespace
 {
+constexpr size_t MOST_VERTICES = 50000000;
+
 enum class Type
 {
     i8,
@@ -75,11 +79,13 @@ bool isReal(Type type)
 class PlyReader
 {
  public:
-    explicit PlyReader(const std::string& file) : m_name(file), m_in(file, std::ios::binary)
+    explicit PlyReader(const std::string& file)
+        : m_name(file),
+          m_bytes(checkInputFile(file, "the ground truth")),
+          m_in(file, std::ios::binary)
     {
-        if (!m_in || std::filesystem::is_directory(file))
-            throw InputError("cannot read the ground truth " + file + ".");
-        m_bytes = std::filesystem::file_size(file);
+        if (!m_in)
+            throw InputError("cannot read the ground truth " + file + ": " + std::strerror(errno));
         readHeader();
     }
 
@@ -87,6 +93,7 @@ class PlyReader
     {
         for (const Element& e : m_header.elements) {
             if (e.name == "vertex") return readVertices(e, columns);
+            if (e.properties.empty()) continue;  // they may be any number
             for (size_t i = 0; i < e.count; ++i)
                 for (const Property& p : e.properties) skip(p);
         }
@@ -188,6 +195,9 @@ class PlyReader
         std::vector<std::vector<double>> values(columns.size());
         for (size_t c = 0; c < columns.size(); ++c) target[indexOf(e, columns[c])] = &values[c];
         if (e.count > m_bytes) truncated();  // each vertex takes a byte at least
+        if (e.count > MOST_VERTICES)
+            fail("has more than " + std::to_string(MOST_VERTICES / 1000000) +
+                 " million vertices: reduce the mesh");
         for (auto& v : values) v.reserve(e.count);
         for (size_t i = 0; i < e.count; ++i)
             for (size_t p = 0; p < target.size(); ++p)
@@ -210,11 +220,11 @@ class PlyReader
     {
         if (!(m_in >> m_word)) truncated();
         const auto number = parsed<double>(m_word);
-        if (!number) fail("has '" + m_word + "' where a number is expected");
+        if (!number) fail("has '" + printable(m_word) + "' where a number is expected");
         const double value = *number;
         const bool integer = std::floor(value) == value && std::abs(value) <= UINT32_MAX;
         if (!isReal(type) && !integer)
-            fail("has '" + m_word + "' where an integer of 32 bits is expected");
+            fail("has '" + printable(m_word) + "' where an integer of 32 bits is expected");
         return value;
     }
 
@@ -253,8 +263,8 @@ class PlyReader
     [[noreturn]] void truncated() const { fail("is truncated"); }
 
     std::string m_name;
+    uint64_t m_bytes;
     std::ifstream m_in;
-    uintmax_t m_bytes = 0;
     Header m_header;
     std::string m_word;  //!< scratch
 };

@@ -3,8 +3,8 @@
 
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
-#include "JsonFile.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/Json.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

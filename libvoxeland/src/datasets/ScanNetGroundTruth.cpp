@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnnotatedObjects.h"
 #include "DatasetFiles.h"
-#include "JsonFile.h"
 #include "PlyVertices.h"
 #include "ScanNetCategories.h"
 #include "voxeland/datasets/GroundTruth.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/Json.h"
 
 #include <filesystem>
 #include <unordered_map>

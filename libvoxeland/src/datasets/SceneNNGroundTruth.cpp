@@ -4,6 +4,7 @@
 #include "PlyVertices.h"
 #include "voxeland/datasets/GroundTruth.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 
 #include <filesystem>
 #include <map>
@@ -35,12 +36,15 @@ std::string attribute(const tinyxml2::XMLElement& element, const char* name)
 /** Category of each annotated label. */
 std::map<int64_t, std::string> readCategories(const std::string& file)
 {
+    checkInputFile(file, "the annotation");
     tinyxml2::XMLDocument document;
     if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS)
         throw InputError("cannot read " + file + " as XML (" +
                          tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + ", line " +
                          std::to_string(document.ErrorLineNum()) + ").");
     const auto* root = document.RootElement();
+    if (root == nullptr)
+        throw InputError(file + " holds no XML element: give SceneNN's annotation");
     std::map<int64_t, std::string> categories;
     bool hasClasses = false;
     for (const auto* label = root->FirstChildElement("label"); label != nullptr;

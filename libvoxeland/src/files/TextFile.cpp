@@ -2,8 +2,10 @@
 #include "voxeland/files/TextFile.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 
-#include <filesystem>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -19,10 +21,10 @@ bool beginsWith(const std::string& text, const std::string& start)
 
 std::string readTextFile(const std::string& file, const std::string& purpose)
 {
+    checkInputFile(file, "the " + purpose);
     std::ifstream in(file, std::ios::binary);
-    if (std::filesystem::is_directory(file))
-        throw InputError("cannot read the " + purpose + " " + file + ": it is a folder");
-    if (!in) throw InputError("cannot read the " + purpose + " " + file);
+    if (!in)
+        throw InputError("cannot read the " + purpose + " " + file + ": " + std::strerror(errno));
     const std::string UTF8_MARK = "\xEF\xBB\xBF";
     std::string text{std::istreambuf_iterator<char>(in), {}};
     if (beginsWith(text, "\xFF\xFE") || beginsWith(text, "\xFE\xFF"))

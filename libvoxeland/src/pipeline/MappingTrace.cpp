@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/MappingTrace.h"
 
+#include "voxeland/files/Json.h"
 #include "voxeland/pipeline/MapperConfig.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <ostream>
@@ -21,8 +20,8 @@ json sectionOf(const Ini& ini, const std::string& section)
     json values = json::object();
     for (const std::string& key : ini.keys(section)) {
         const std::string text = ini.value(section, key);
-        const json value = json::parse(text, nullptr, false);
-        values[key] = value.is_primitive() && !value.is_discarded() ? value : json(text);
+        const auto value = jsonFrom(text);
+        values[key] = value && value->is_primitive() ? json(*value) : json(text);
     }
     return values;
 }

@@ -16,6 +16,8 @@ namespace voxeland
 {
 namespace
 {
+constexpr double LEAST_MAGNITUDE = 1e-30;  // of a number that is not 0
+
 std::string lowerCase(std::string text)
 {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -95,6 +97,9 @@ void OptionList::addNumber(const std::string& key, Number& variable, const Range
         [&variable, range](const std::string& text) -> std::string {
             const double value = parsed<double>(trimmed(text)).value_or(NAN);
             if (!std::isfinite(value)) return "is not a number";
+            if (value != 0 && std::abs(value) < LEAST_MAGNITUDE)
+                return "is too close to 0 to be computed with: give 0, or " +
+                       numberText(LEAST_MAGNITUDE) + " or more";
             if (std::numeric_limits<Number>::is_integer && value != std::floor(value))
                 return "is not a whole number";
             if (!(value >= range.least && value <= range.most))

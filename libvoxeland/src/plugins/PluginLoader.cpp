@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/plugins/PluginLoader.h"
 
+#include "Trial.h"
 #include "voxeland/errors.h"
 #include "voxeland/joined.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 #include "voxeland/plugins/CDisambiguator.h"
 #include "voxeland/plugins/COpinionConverter.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/system/os.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
@@ -93,15 +96,61 @@ const ClassId* called(const std::string& word, const std::vector<const ClassId*>
     return nullptr;
 }
 
+/** \throws PluginError if the class throws */
 std::shared_ptr<Plugin> newObject(const ClassId* id)
 {
-    return std::dynamic_pointer_cast<Plugin>(id->createObject());
+    try {
+        return std::dynamic_pointer_cast<Plugin>(id->createObject());
+    } catch (const std::exception& e) {
+        throw PluginError("an object of the class '" + shortName(id->className) + "' of " +
+                          libraryOf(*id) + " cannot be made: " + printable(e.what()) +
+                          ": correct the plugin");
+    }
 }
 
 /** Folder of the plugins that are shipped with this library. */
 fs::path shippedFolder()
 {
     return fs::path(libraryFile()).parent_path() / "voxeland";
+}
+
+std::array<const ClassId*, 3> bases()
+{
+    return {CLASS_ID(COpinionConverter), CLASS_ID(CAssociationPolicy), CLASS_ID(CDisambiguator)};
+}
+
+bool isLoaded(const std::string& file)
+{
+    void* const library = dlopen(file.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+    if (library != nullptr) dlclose(library);
+    return library != nullptr;
+}
+
+/** Loads a library and makes an object of each of its classes, which may end the program. */
+void tryOut(const std::string& file)
+{
+    std::string error;
+    if (!mrpt::system::loadPluginModule(file, error)) return;  // loading it here says why
+    for (const auto* base : bases())
+        for (const ClassId* id : classesOf(base, file)) id->createObject();
+}
+
+/** Why a library must not be loaded, or cannot be; empty if it is loaded. Those that are shipped
+ * are trusted to load, as long as they are whole.
+ *  \param file absolute path */
+std::string problemOfLoading(const fs::path& file)
+{
+    if (isLoaded(file.string())) return {};
+    if (const auto problem = libraryProblem(file.string()); !problem.empty())
+        return "it " + problem + ": build or copy it again";
+    std::error_code ignored;
+    if (!fs::equivalent(file.parent_path(), shippedFolder(), ignored))
+        if (const auto failure = failureInTrial([&] { tryOut(file.string()); }); !failure.empty())
+            return "loading it or making its classes " + failure + ": correct it";
+    std::string error;
+    if (mrpt::system::loadPluginModule(file.string(), error)) return {};
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    return error;
 }
 
 /** Loads those shipped libraries that list a class of this name; each is accompanied by a file
@@ -128,8 +177,7 @@ std::vector<std::string> loadAll(const std::vector<std::string>& folders)
         for (const auto& entry : fs::directory_iterator(folder, ignored)) {
             if (entry.path().extension() != ".so" || !seen.insert(entry.path().filename()).second)
                 continue;
-            std::string error;
-            if (!mrpt::system::loadPluginModule(fs::absolute(entry.path()).string(), error))
+            if (!problemOfLoading(fs::absolute(entry.path())).empty())
                 refused.push_back(entry.path().string());
         }
     }
@@ -164,14 +212,11 @@ std::string loadPlugin(const std::string& name, const std::vector<std::string>& 
         throw PluginError("plugin '" + name +
                           "' was not found; searched in: " + listed(searchPath) +
                           " (set VOXELAND_PLUGIN_PATH, or give an absolute path)");
-    std::string error;
-    if (!mrpt::system::loadPluginModule(fs::absolute(file).string(), error)) {
-        std::replace(error.begin(), error.end(), '\n', ' ');
+    if (const auto problem = problemOfLoading(fs::absolute(file)); !problem.empty())
         throw PluginError("'" + file.string() +
                           "' cannot be loaded as a plugin of this Voxeland and "
                           "MRPT " +
-                          mrpt::system::MRPT_getVersion() + ": " + error);
-    }
+                          mrpt::system::MRPT_getVersion() + ": " + problem);
     return fs::absolute(file).string();
 }
 
@@ -204,9 +249,7 @@ void listPlugins(std::ostream& out, const std::vector<std::string>& searchPath)
 {
     for (const std::string& file : loadAll(searchPath))
         out << file << ": not a plugin of this version\n";
-    for (const auto* base :
-         {CLASS_ID(COpinionConverter), CLASS_ID(CAssociationPolicy), CLASS_ID(CDisambiguator)})
-    {
+    for (const auto* base : bases()) {
         out << base->className << ":\n";
         for (const ClassId* id : classesOf(base))
             out << "  " << id->className << "  " << newObject(id)->description() << " ("

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 namespace voxeland
 {
@@ -53,10 +52,13 @@ void checkExported(const std::string& model)
 InputError loadFailure(const std::string& model, const cv::Exception& e, const std::string& remedy)
 {
     const std::string opencv = "OpenCV " + cv::getVersionString();
-    std::smatch found;
-    if (std::regex_search(e.err, found, std::regex(R"(Node \[([^\]@]+))")))
-        return InputError("the model '" + model + "' has an operation '" + found.str(1) +
-                          "' that " + opencv + " lacks or cannot do this way" + remedy);
+    static const std::string NODE = "Node [";
+    if (const size_t found = e.err.find(NODE); found != std::string::npos) {
+        const size_t begin = found + NODE.size();
+        const std::string operation = e.err.substr(begin, e.err.find_first_of("]@", begin) - begin);
+        return InputError("the model '" + model + "' has an operation '" + operation + "' that " +
+                          opencv + " lacks or cannot do this way" + remedy);
+    }
     return InputError(opencv + " cannot use the model '" + model +
                       "': " + e.err.substr(0, e.err.find('\n')) + remedy);
 }

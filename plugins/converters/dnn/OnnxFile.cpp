@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <regex>
+#include <string_view>
 
 namespace voxeland
 {
@@ -97,20 +97,62 @@ std::vector<std::string> optionsFor(std::string_view graph, const std::vector<in
     return options;
 }
 
-/** Names from a dictionary of Python or JSON such as {0: 'person', 1: "bull's eye"}, or a list of
- * such; empty if it is neither, or out of order. */
-std::vector<std::string> namesFrom(const std::string& text)
+/** Reads names from a dictionary of Python or JSON such as {0: 'person', 1: "bull's eye"}, or a
+ *  list of such. */
+class NameList
 {
-    static const std::regex ENTRY(R"re((?:"?(\d+)"?: *)?(?:'([^']*)'|"([^"]*)")(?! *:))re");
-    const bool isList =
-        text.find_first_not_of(" [") > 0 && text.find('[') < text.find_first_of("'\"{");
-    std::vector<std::string> names;
-    for (std::sregex_iterator at(text.begin(), text.end(), ENTRY), end; at != end; ++at) {
-        if (at->str(1) != (isList ? "" : std::to_string(names.size()))) return {};
-        names.push_back(at->str(2) + at->str(3));
+ public:
+    explicit NameList(std::string_view text) : m_rest(text) {}
+
+    /** Empty if it is neither, or out of order, or has no end. */
+    std::vector<std::string> names()
+    {
+        const bool isList = taken('[');
+        if (!isList && !taken('{')) return {};
+        std::vector<std::string> names;
+        while (!taken(isList ? ']' : '}')) {
+            if (!isList && (key() != std::to_string(names.size()) || !taken(':'))) return {};
+            auto name = quoted();
+            if (!name) return {};
+            names.push_back(std::move(*name));
+            taken(',');
+        }
+        return names;
     }
-    return names;
-}
+
+ private:
+    bool taken(char c)
+    {
+        m_rest.remove_prefix(std::min(m_rest.find_first_not_of(" \t\n"), m_rest.size()));
+        if (m_rest.empty() || m_rest.front() != c) return false;
+        m_rest.remove_prefix(1);
+        return true;
+    }
+    std::optional<std::string> upTo(size_t end)
+    {
+        if (end == std::string_view::npos) return std::nullopt;
+        std::string text(m_rest.substr(0, end));
+        m_rest.remove_prefix(end);
+        return text;
+    }
+    std::optional<std::string> quoted()
+    {
+        for (const char quote : {'\'', '"'})
+            if (taken(quote)) {
+                auto text = upTo(m_rest.find(quote));
+                taken(quote);
+                return text;
+            }
+        return std::nullopt;
+    }
+    std::optional<std::string> key()
+    {
+        auto text = quoted();
+        return text ? text : upTo(m_rest.find_first_not_of("0123456789"));
+    }
+
+    std::string_view m_rest;
+};
 }  // namespace
 
 OnnxFile::OnnxFile(const std::string& file)
@@ -134,8 +176,7 @@ OnnxFile::OnnxFile(const std::string& file)
         for (ProtobufFields fields(model); fields.next();)
             if (fields.number() == MODEL_METADATA &&
                 find(fields.content(), METADATA_KEY) == "names")
-                classNames =
-                    namesFrom(std::string(find(fields.content(), METADATA_VALUE).value_or("")));
+                classNames = NameList(find(fields.content(), METADATA_VALUE).value_or("")).names();
     } catch (const ProtobufFields::CutOff&) {
         throw InputError("the model '" + file + "' is cut off: copy or export it again");
     } catch (const std::invalid_argument&) {

@@ -59,8 +59,17 @@ TEST_F(OnnxFileTest, tellsTheNamesOfTheClasses)
     EXPECT_EQ(read(model({1}, "['mug', \"bull's eye\"]")).classNames, (Names{"mug", "bull's eye"}));
     EXPECT_EQ(read(model({1}, "{0: 'a: b', 1: '[c]'}")).classNames, (Names{"a: b", "[c]"}));
     EXPECT_EQ(read(model({1}, "['0: a']")).classNames, (Names{"0: a"}));
-    for (const char* other : {"{}", "[]", "{\"a\": \"b\"}", "mug"})
+    for (const char* other : {"{}", "[]", "{\"a\": \"b\"}", "mug", "{0: 'a'", "['a", "{0 'a'}",
+                              "{0: 'a', 1}", "{0: a}", "[", "{'0"})
         EXPECT_EQ(read(model({1}, other)).classNames, Names()) << other;
+}
+
+TEST_F(OnnxFileTest, aNameMayBeLong)
+{
+    const std::string name(2000000, 'a'), quoted = "'" + name + "'";
+    EXPECT_EQ(read(model({1}, "{0: " + quoted + "}")).classNames.at(0), name);
+    EXPECT_TRUE(read(model({1}, "{0: '" + name)).classNames.empty()) << "it has no end";
+    EXPECT_TRUE(read(model({1}, "{" + std::string(2000000, '1') + ": 'a'}")).classNames.empty());
 }
 
 TEST_F(OnnxFileTest, namesTheOptionsOfTheExportThatMayHelp)

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Inputs that ended programs by a signal, never, or in words of a library, through the programs.
+ */
+#include "support/RunProgram.h"
+#include "support/SmallRawlog.h"
+#include "support/TestFiles.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sys/stat.h>
+
+using namespace voxeland;
+
+namespace
+{
+class OddInputs : public testing::Test
+{
+ protected:
+    OddInputs() { test::writeRawlog(rawlog(), test::smallFrames(3), true); }
+
+    [[nodiscard]] std::string file(const std::string& name) const { return m_folder.file(name); }
+    [[nodiscard]] std::string rawlog() const { return file("r.rawlog"); }
+    [[nodiscard]] std::string map()
+    {
+        const std::string name = file("m.voxeland");
+        if (!std::filesystem::exists(name))
+            test::runProgram("rawlog2voxeland", {"--quiet", "-i", rawlog(), "-o", name});
+        return name;
+    }
+    /** What a program says that must end in one sentence. \param code the exit code it must have */
+    static std::string sentenceOf(int code, const std::string& program,
+                                  const std::vector<std::string>& arguments)
+    {
+        const auto result = test::runProgram(program, arguments);
+        EXPECT_EQ(result.exitCode, code) << program << ": " << result.errors;
+        const std::string start = program + ": ";
+        const size_t begin = result.errors.rfind(start);
+        if (begin == std::string::npos) return "no sentence: " + result.errors;
+        const std::string sentence = result.errors.substr(begin + start.size());
+        EXPECT_EQ(sentence.find('\n'), sentence.size() - 1) << sentence;
+        EXPECT_LE(sentence.size(), 300u);
+        return sentence;
+    }
+
+    test::TemporaryFolder m_folder;
+};
+}  // namespace
+
+TEST_F(OddInputs, aWordMayBeLong)
+{
+    const std::string word(60000, '0');
+    EXPECT_NE(sentenceOf(1, "rawlog2voxeland", {"--check-config", "--set", word})
+                  .find("not of the form section.key=value"),
+              std::string::npos);
+    EXPECT_NE(sentenceOf(1, "rawlog2voxeland", {"--" + word}).find("there is no option"),
+              std::string::npos);
+    test::writeFile(file("ground_truth.ply"),
+                    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float " + word +
+                        "\nend_header\n" + word + "x\n");
+    sentenceOf(3, "voxeland-eval", {"-m", map(), "--gt", m_folder.path().string()});
+    test::writeFile(file("run.ini"), "[A_" + word + "_voxelandMap_" + word + "]\na = 1\n");
+    sentenceOf(1, "voxeland-run", {"icp-slam", file("run.ini"), rawlog()});
+}
+
+TEST_F(OddInputs, xmlWithoutAnElementHoldsNoAnnotation)
+{
+    test::writeFile(file("011.ply"), "ply\n");
+    for (const char* xml : {"<!-- only -->", "<?xml version=\"1.0\"?>", ""}) {
+        test::writeFile(file("011.xml"), xml);
+        EXPECT_NE(sentenceOf(3, "voxeland-eval",
+                             {"-m", map(), "--gt", m_folder.path().string(), "--format", "scenenn"})
+                      .find(file("011.xml")),
+                  std::string::npos)
+            << xml;
+    }
+}
+
+TEST_F(OddInputs, aNumberThatIsNearlyNothingIsRefused)
+{
+    EXPECT_NE(
+        sentenceOf(1, "rawlog2voxeland", {"--check-config", "--set", "map.prior_strength=1e-320"})
+            .find("too close to 0"),
+        std::string::npos);
+}
