@@ -67,12 +67,12 @@ TEST(MainCluster, AThinObjectIsKept)
 
 TEST(MainCluster, CoarseCellsAreOfOneSizeOnBothSidesOfTheOrigin)
 {
-    // A box and a wall 0.25 m behind it: between their coarse cells of 0.1 m lies one empty cell,
+    // A box and a wall 0.2 m behind it: between their coarse cells of 0.1 m lies one empty cell,
     // so that they are apart wherever the camera stands on the grid of coarse cells.
-    for (const double x : {0.0, -0.6, -1.0, -1.1, -1.2, -1.3, -3.0}) {
+    for (const double x : {0.0, -0.6, -1.0, -1.05, -1.1, -1.15, -1.2, -1.3, -3.0}) {
         RgbdFrame frame;
         frame.scan = test::makeScan(
-            [](int c, int r) { return c >= 30 && c < 50 && r >= 20 && r < 40 ? 1.02 : 1.27; });
+            [](int c, int r) { return c >= 30 && c < 50 && r >= 20 && r < 40 ? 1.02 : 1.22; });
         frame.robotPose = mrpt::poses::CPose3D(x, 0, 0, 0, 0, 0);
         const VoxelizedFrame voxels(frame, RESOLUTION, {});
         EXPECT_EQ(pointsOf(mainCluster(voxels, test::rectangleMask(27, 17, 53, 43), {})), 400) << x;

@@ -84,7 +84,7 @@ std::vector<int> clusterByDensity(const std::vector<WeightedCell>& cells, int ra
     std::vector<uint32_t> open;
     int clusters = 0;
     for (uint32_t seed = 0; seed < cells.size(); ++seed) {
-        if (expanded[seed] || cluster[seed] != NOISE) continue;
+        if (expanded[seed]) continue;  // so is every cell of a cluster
         open.assign(1, seed);
         bool started = false;
         while (!open.empty()) {

@@ -23,7 +23,7 @@ inline constexpr int NOISE = -1;
  *  from no core is noise.
  *
  *  Cost: O(cells * (2 radius + 1)^3). The result depends on the order of the cells only in which
- *  cluster claims a border cell.
+ *  cluster claims a border cell: the first that reaches it.
  *
  *  \param cells distinct coordinates
  *  \return per cell the number of its cluster, from 0 in order of first core, or NOISE */
