@@ -93,6 +93,41 @@ TEST(RawlogFrameSource, TakesOnlyTheSidecarsPredictionsOfTheSensorAskedFor)
     EXPECT_EQ(yolo.predictionsWithoutFrame, 0U);
 }
 
+/** Two sensors say where the robot is, a metre apart; which says it first changes on the way. */
+TEST(RawlogFrameSource, PosesOfTwoSensorsAreNeverMixed)
+{
+    const TemporaryFolder folder;
+    const auto frames = smallFrames(6);
+    GzOutputFile out(folder.file("in.rawlog"));
+    for (size_t i = 0; i < frames.size(); ++i) {
+        frames[i].pose->sensorLabel = "wheels";
+        frames[i].pose->pose.mean = mrpt::poses::CPose3D(0.1 * static_cast<double>(i), 0, 0);
+        const auto other = mrpt::obs::CObservationRobotPose::Create(*frames[i].pose);
+        other->sensorLabel = "gps";
+        other->pose.mean.y(1);
+        out.writeObject(i < 3 ? *frames[i].pose : *other);
+        out.writeObject(i < 3 ? *other : *frames[i].pose);
+        out.writeObject(*frames[i].scan);
+    }
+    out.close();
+    for (const std::string wanted : {"", "wheels", "gps", "lidar"}) {
+        InputOptions options;
+        options.pose_sensor_label = wanted;
+        RawlogFrameSource source(folder.file("in.rawlog"), options, {});
+        uint32_t met = 0;
+        for (; const auto frame = source.next(); ++met) {
+            EXPECT_NEAR(frame->robotPose.x(), 0.1 * met, 1e-9) << wanted;
+            EXPECT_EQ(frame->robotPose.y(), wanted == "gps" ? 1 : 0) << wanted;
+        }
+        EXPECT_EQ(met, wanted == "lidar" ? 0U : 6U) << wanted;
+        if (wanted.empty()) {
+            EXPECT_EQ(source.notes(),
+                      std::vector<std::string>{"6 poses of 'gps' are left out, as those of "
+                                               "'wheels' are used: choose with pose_sensor_label"});
+        }
+    }
+}
+
 TEST(RawlogFrameSource, PosesComeWithTheirCovariance)
 {
     const TemporaryFolder folder;
