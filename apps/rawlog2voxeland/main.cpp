@@ -154,8 +154,7 @@ void warnOf(Arguments& arguments, const MappedInput& met)
     constexpr double MUCH = 0.4;
     constexpr uint64_t ENOUGH = 500;
     if (met.leftOut.count() > 0)
-        arguments.warn(counted(met.leftOut.count(), "frame") +
-                       " left out (--strict: an error); the first: " + met.leftOut.first());
+        arguments.warn(met.leftOut.told("frame"));
     const auto measured = static_cast<double>(met.depths.pixels);
     if (static_cast<double>(met.depths.used) < FEW * measured)
         arguments.warn("only " +

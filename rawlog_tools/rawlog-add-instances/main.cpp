@@ -8,6 +8,7 @@
 #include "voxeland/datasets/RawlogPredictions.h"
 #include "voxeland/datasets/UnfinishedPredictions.h"
 #include "voxeland/errors.h"
+#include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/MapperConfig.h"
 #include "voxeland/printable.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
@@ -124,8 +125,15 @@ AddedPredictions addSeen(Arguments& arguments, const AddPredictionsOptions& opti
                                network.origin + stateOf(in) + options.sensorLabel);
     if (kept.frames() > 0)
         arguments.note("going on after " + counted(kept.frames(), "frame") + " of an earlier run");
-    const PredictionSource look = [&](size_t, const mrpt::obs::CObservation3DRangeScan& scan) {
-        return network.converter->predict(scan);
+    LeftOut leftOut(arguments.strict.isSet());
+    const PredictionSource look =
+        [&](size_t, const mrpt::obs::CObservation3DRangeScan& scan) -> CObservationInstances::Ptr {
+        try {
+            return network.converter->predict(scan);
+        } catch (const UnusableFrame& e) {
+            leftOut.add(e.what());
+            return nullptr;
+        }
     };
     const PredictionSource seen = [&](size_t frame,
                                       const mrpt::obs::CObservation3DRangeScan& scan) {
@@ -138,7 +146,9 @@ AddedPredictions addSeen(Arguments& arguments, const AddPredictionsOptions& opti
             throw apps::Interrupted(
                 "stopped; what the network said is kept: the same command goes on from there");
     });
+    if (leftOut.count() == added.frames) throw InputError(leftOut.first());
     kept.discard();
+    if (leftOut.count() > 0) arguments.warn(leftOut.told("frame"));
     return added;
 }
 

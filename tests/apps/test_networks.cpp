@@ -10,6 +10,7 @@
 
 using namespace voxeland;
 using namespace voxeland::test;
+namespace fs = std::filesystem;
 
 namespace
 {
@@ -113,6 +114,45 @@ TEST_F(Networks, predictionsMadeBeforehandGiveTheVeryMapOfTheNetwork)
     for (size_t i = 0; i < direct.size(); ++i) {
         EXPECT_EQ(direct[i].voxels, recorded[i].voxels);
         EXPECT_EQ(direct[i].entropy, recorded[i].entropy);
+    }
+}
+
+TEST_F(Networks, aFrameWithoutItsColourImageIsLeftOutAndTold)
+{
+    SKIP_WITHOUT_REDKITCHEN();
+    makeRawlog("in.rawlog", {"--to", "29"});
+    const std::string rawlog = m_folder.file("in.rawlog");
+    size_t images = 0;
+    for (const auto& entry : fs::directory_iterator(m_folder.path() / "in_Images"))
+        if (const auto& path = entry.path();
+            path.extension() == ".jpg" || path.string().find("olor") != std::string::npos)
+            if (images++ == 0) fs::remove(path);
+    ASSERT_EQ(images, 3U);
+    const std::vector<std::string> network = {"--set", setModel()};
+    for (const bool strict : {false, true}) {
+        std::vector<std::string> mapping = {"-i",     rawlog,
+                                            "-o",     m_folder.file("out.voxeland"),
+                                            "-c",     VOXELAND_YOLOV8_INI,
+                                            "--quiet"},
+                                 adding = {"-i",     rawlog,
+                                           "-o",     m_folder.file("out.rawlog"),
+                                           "--dnn",  VOXELAND_YOLOV8_INI,
+                                           "--quiet"};
+        if (strict) mapping.push_back("--strict");
+        if (strict) adding.push_back("--strict");
+        append(mapping, network);
+        append(adding, network);
+        const auto mapped = runProgram("rawlog2voxeland", mapping);
+        EXPECT_EQ(mapped.exitCode, strict ? 3 : 0) << mapped.errors;
+        const auto added = runProgram("rawlog-add-instances", adding);
+        EXPECT_EQ(added.exitCode, strict ? 3 : 0) << added.errors;
+        if (!strict) {
+            EXPECT_NE(mapped.output.find("2 mapped"), std::string::npos) << mapped.output;
+        }
+        for (const std::string& errors : {mapped.errors, added.errors}) {
+            EXPECT_NE(errors.find("the colour image of frame"), std::string::npos) << errors;
+            EXPECT_EQ(errors.find("1 frame left out") != std::string::npos, !strict) << errors;
+        }
     }
 }
 

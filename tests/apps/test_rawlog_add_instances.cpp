@@ -111,8 +111,9 @@ TEST_F(RawlogAddInstances, saysHowImagesWereMatchedAndWhatWasLeftOut)
     EXPECT_NE(result.output.find("predictions: 1\n"), std::string::npos);
     EXPECT_NE(result.errors.find("in the order of the file's images"), std::string::npos)
         << result.errors;
-    EXPECT_NE(result.errors.find("left out: 1 odd entry: " + path("coco.json") +
-                                 ": prediction 1 (image_id 2): segmentation is empty"),
+    EXPECT_NE(result.errors.find(
+                  "1 odd entry left out (--strict: an error), the first: " + path("coco.json") +
+                  ": prediction 1 (image_id 2): segmentation is empty"),
               std::string::npos)
         << result.errors;
     expectSentence(add(path("strict.rawlog"), {"--strict"}), 3, "segmentation is empty");

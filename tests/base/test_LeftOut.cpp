@@ -14,6 +14,8 @@ TEST(LeftOut, CountsAndNamesTheFirst)
     leftOut.add("line 7 of a.txt is no pose");
     EXPECT_EQ(leftOut.count(), 2u);
     EXPECT_EQ(leftOut.first(), "line 3 of a.txt is no pose");
+    EXPECT_EQ(leftOut.told("line"),
+              "2 lines left out (--strict: an error), the first: line 3 of a.txt is no pose");
 }
 
 TEST(LeftOut, IsAnErrorWhereOneIsStrict)

@@ -183,7 +183,7 @@ TEST_F(CocoPredictionsTest, oneMaskOfAnotherSizeIsLeftOut)
     EXPECT_EQ(matched.instancesFor(3, 2, 2)->instances.size(), 2U);
     ASSERT_EQ(matched.warnings().size(), 1U);
     EXPECT_EQ(matched.warnings()[0],
-              "left out: 1 odd entry: " + m_file +
+              "1 odd entry left out (--strict: an error), the first: " + m_file +
                   ": prediction 0 (image_id 3): the mask is of 2x3 pixels, the image of 2x2");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Frames.h"
 #include "voxeland/errors.h"
+#include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/FramePredictor.h"
 
 #include <gtest/gtest.h>
@@ -24,6 +25,7 @@ class CSecondsDetector : public COpinionConverter
     {
         const auto second = std::lround(mrpt::Clock::toDouble(scan.timestamp));
         if (second == failsAt) throw InputError("cannot see");
+        if (second == damagedAt) throw UnusableFrame("no such image");
         if (second == seesNothingAt) return nullptr;
         return test::makePredictions(
             {test::prediction(test::rectangleMask(10, 10, 60, 50), std::to_string(second))}, 0);
@@ -34,7 +36,7 @@ class CSecondsDetector : public COpinionConverter
         return opinionsOf(frame, voxels, {});
     }
 
-    long failsAt = -1, seesNothingAt = -1;
+    long failsAt = -1, damagedAt = -1, seesNothingAt = -1;
 };
 IMPLEMENTS_MRPT_OBJECT(CSecondsDetector, voxeland::COpinionConverter, voxeland)
 }  // namespace voxeland
@@ -111,6 +113,26 @@ TEST_F(FramePredictorTest, aFailureComesAfterTheFramesBefore)
     for (int i = 0; i < 7; ++i) ASSERT_TRUE(predictor.next());
     EXPECT_THROW(predictor.next(), InputError);
     EXPECT_THROW(predictor.next(), InputError);
+}
+
+TEST_F(FramePredictorTest, aFrameThatCannotBeUsedIsToldAndTheNextOnesCome)
+{
+    m_detector->damagedAt = 7;
+    const SemanticMapper mapper = this->mapper();
+    for (const unsigned threads : {1U, 3U}) {
+        m_read = 0;
+        FramePredictor predictor(mapper, source());
+        FramePreparer preparer(
+            mapper, [&] { return predictor.next(); }, threads);
+        for (int i = 0; i < 7; ++i) ASSERT_TRUE(preparer.next());
+        EXPECT_THROW(preparer.next(), UnusableFrame);
+        for (int i = 8; i < FRAMES; ++i) {
+            const auto frame = preparer.next();
+            ASSERT_TRUE(frame);
+            EXPECT_EQ(frame->opinions.front().categories[0].name, std::to_string(i));
+        }
+        EXPECT_FALSE(preparer.next());
+    }
 }
 
 TEST_F(FramePredictorTest, mayBeLeftBeforeTheEnd)

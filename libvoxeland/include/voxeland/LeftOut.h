@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/counted.h"
 #include "voxeland/errors.h"
 
 #include <cstddef>
@@ -26,6 +27,13 @@ class LeftOut
     [[nodiscard]] size_t count() const { return m_count; }
     /** What was said of the first one; empty if there is none. */
     [[nodiscard]] const std::string& first() const { return m_first; }
+    /** All of it in a sentence, for a warning where count() > 0.
+     *  \param one,many what the entries are, see counted() */
+    [[nodiscard]] std::string told(const std::string& one, const std::string& many = "") const
+    {
+        return counted(m_count, one, many) +
+               " left out (--strict: an error), the first: " + m_first;
+    }
 
  private:
     bool m_strict;

@@ -133,8 +133,7 @@ std::vector<std::string> MatchedPredictions::warnings() const
         all.push_back(m_predictions.file() + ": images are matched " + m_matching.how + ", but " +
                       m_matching.doubt);
     if (m_leftOut.count() > 0)
-        all.push_back("left out: " + counted(m_leftOut.count(), "odd entry", "odd entries") +
-                      (m_leftOut.count() > 1 ? ", the first: " : ": ") + m_leftOut.first());
+        all.push_back(m_leftOut.told("odd entry", "odd entries"));
     return all;
 }
 }  // namespace voxeland

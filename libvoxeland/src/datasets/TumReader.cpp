@@ -97,8 +97,7 @@ std::vector<TumReader::TimedFile> TumReader::readList(const std::string& name)
     if (text.lines.empty()) throw InputError(file.string() + " names no image");
     for (const std::string& note : text.notes) addNote(note);
     if (text.leftOut.count() > 0)
-        addNote(counted(text.leftOut.count(), "line") + " of " + file.string() +
-                " left out, the first: " + text.leftOut.first());
+        addNote(text.leftOut.told("line of " + file.string(), "lines of " + file.string()));
     std::vector<TimedFile> list;
     for (const TimedLine& line : text.lines)
         list.push_back({line.time, existingName(m_folder, line.rest)});

@@ -51,12 +51,12 @@ Trajectory Trajectory::fromTumFile(const std::string& file, double maxGap, bool 
             result.leftOut.add(text.where(line) + " is not '" + FORM +
                                "' with finite numbers and a unit quaternion");
     }
-    const size_t odd = result.leftOut.count();
+    const bool isOdd = result.leftOut.count() > 0;
     if (result.poses.empty())
-        throw InputError(odd > 0 ? result.leftOut.first() : text.name + " holds no pose");
-    if (odd > 0)
-        result.notes.push_back(counted(odd, "line") + " of " + text.name +
-                               " left out, the first: " + result.leftOut.first());
+        throw InputError(isOdd ? result.leftOut.first() : text.name + " holds no pose");
+    if (isOdd)
+        result.notes.push_back(
+            result.leftOut.told("line of " + text.name, "lines of " + text.name));
     return result;
 }
 }  // namespace voxeland

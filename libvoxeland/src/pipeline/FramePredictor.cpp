@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/FramePredictor.h"
 
+#include "voxeland/observations/UnusableFrame.h"
+
 namespace voxeland
 {
 FramePredictor::FramePredictor(const SemanticMapper& mapper, FramePreparer::Source source)
@@ -24,12 +26,15 @@ std::optional<RgbdFrame> FramePredictor::next()
     if (!m_worker.joinable()) return m_source();
     std::unique_lock<std::mutex> lock(m_mutex);
     m_changed.wait(lock, [this] { return !m_ready.empty(); });
-    if (m_ready.front().error) std::rethrow_exception(m_ready.front().error);
-    if (!m_ready.front().frame) return std::nullopt;
-    auto frame = std::move(m_ready.front().frame);
+    if (m_ready.front().isLast) {
+        if (m_ready.front().error) std::rethrow_exception(m_ready.front().error);
+        return std::nullopt;
+    }
+    const Result result = std::move(m_ready.front());
     m_ready.pop_front();
     m_changed.notify_all();
-    return frame;
+    if (result.error) std::rethrow_exception(result.error);
+    return result.frame;
 }
 
 void FramePredictor::work()
@@ -38,11 +43,14 @@ void FramePredictor::work()
         Result result;
         try {
             result.frame = m_source();
+            result.isLast = !result.frame;
             if (result.frame) m_mapper.predict(*result.frame);
+        } catch (const UnusableFrame&) {
+            result.error = std::current_exception();
         } catch (...) {
-            result = {std::nullopt, std::current_exception()};
+            result = {std::nullopt, std::current_exception(), true};
         }
-        isLast = !result.frame;
+        isLast = result.isLast;
         std::unique_lock<std::mutex> lock(m_mutex);
         m_changed.wait(lock, [this] { return m_stop || m_ready.size() < CAPACITY; });
         if (m_stop) return;

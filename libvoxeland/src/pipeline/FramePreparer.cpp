@@ -55,6 +55,7 @@ void FramePreparer::work()
         size_t ticket = 0;
         std::optional<RgbdFrame> frame;
         Result result;
+        bool isLast = false;
         {
             const std::lock_guard<std::mutex> reading(m_reading);
             {
@@ -66,11 +67,14 @@ void FramePreparer::work()
             }
             try {
                 frame = m_source();
+                isLast = !frame;
+            } catch (const UnusableFrame&) {
+                result.error = std::current_exception();
             } catch (...) {
                 result.error = std::current_exception();
+                isLast = true;
             }
         }
-        const bool isLast = !frame;
         if (frame) {
             try {
                 result.frame = m_mapper.prepare(*frame);

@@ -103,8 +103,8 @@ std::vector<std::string> RawlogFrameSource::notes() const
         choice->tell(notes);
     const LeftOut& odd = m_assembler.oddPoses();
     if (odd.count() > 0)
-        notes.push_back(counted(odd.count(), "pose or covariance", "poses or covariances") +
-                        " of the rawlog left out, the first: " + odd.first());
+        notes.push_back(odd.told("pose or covariance of the rawlog",
+                                 "poses or covariances of the rawlog"));
     const uint32_t lost = m_assembler.counts().framesWithoutPose;
     if (lost > 0)
         notes.push_back(counted(lost, "frame") + " left out without a pose: " + whyNoPoses());

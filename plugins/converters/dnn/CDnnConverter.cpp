@@ -5,6 +5,7 @@
 #include "voxeland/counted.h"
 #include "voxeland/datasets/CategoryNames.h"
 #include "voxeland/errors.h"
+#include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/plugins/ClusteringKeys.h"
 
 #include <mrpt/core/initializer.h>
@@ -21,21 +22,22 @@ IMPLEMENTS_MRPT_OBJECT(CDnnConverter, voxeland::COpinionConverter, voxeland)
 
 namespace
 {
-/** The colour image of a scan, of 8 bits, blue, green and red. */
+/** The colour image of a scan, of 8 bits, blue, green and red. \throws UnusableFrame if there is
+ * none */
 cv::Mat colourImage(const mrpt::obs::CObservation3DRangeScan& scan)
 {
     const std::string frame =
         "frame '" + scan.sensorLabel + "' of " + mrpt::system::dateTimeToString(scan.timestamp);
     if (!scan.hasIntensityImage)
-        throw InputError(frame + " has no colour image, which a network needs");
+        throw UnusableFrame(frame + " has no colour image, which a network needs");
     cv::Mat image;
     try {
         image = scan.intensityImage.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
     } catch (const std::exception&) {
-        throw InputError("the colour image of " + frame +
-                         " cannot be read: restore the rawlog's folder of images");
+        throw UnusableFrame("the colour image of " + frame +
+                            " cannot be read: restore the rawlog's folder of images");
     }
-    if (image.empty()) throw InputError("the colour image of " + frame + " is empty");
+    if (image.empty()) throw UnusableFrame("the colour image of " + frame + " is empty");
     if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
     if (image.channels() == 4) cv::cvtColor(image, image, cv::COLOR_BGRA2BGR);
     return image;

@@ -19,7 +19,8 @@ class FramePredictor
     FramePredictor& operator=(const FramePredictor&) = delete;
 
     /** The next frame, or none at the end; to be called by one thread at a time. What reading it or
-     * making its predictions threw is thrown again here. */
+     * making its predictions threw is thrown again here; after an UnusableFrame the next call gives the
+     * frame behind it. */
     std::optional<RgbdFrame> next();
 
  private:
@@ -27,11 +28,12 @@ class FramePredictor
     void work();
     static constexpr size_t CAPACITY = 4;
 
-    /** A frame, or none at the end, or what went wrong. */
+    /** A frame, or what went wrong, or neither: the end. */
     struct Result
     {
         std::optional<RgbdFrame> frame;
         std::exception_ptr error;
+        bool isLast = false;
     };
 
     const SemanticMapper& m_mapper;
