@@ -2,12 +2,16 @@
 /** Which predictions of a sidecar reach a frame, and which are counted as lost. */
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
+#include "voxeland/errors.h"
 #include "voxeland/io/GzOutputFile.h"
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <cmath>
+#include <limits>
 
 using namespace voxeland;
 using namespace voxeland::test;
@@ -177,4 +181,30 @@ TEST(RawlogFrameSource, PosesOfASimplemapComeWithTheirCovariance)
     ASSERT_TRUE(frame.has_value());
     ASSERT_NE(frame->poseCovariance, nullptr);
     EXPECT_EQ((*frame->poseCovariance)(4, 4), 0.25);
+}
+
+TEST_F(SidecarWithGaps, PredictionsOfImpossibleNumbersAreLeftOutAndTold)
+{
+    auto frames = smallFrames(4);
+    frames[1].instances->instances[1].score = 1.5F;
+    frames[2].instances->instances[0].score = std::nanf("");
+    frames[2].instances->instances[1].score = -0.1F;
+    frames[3].instances->instances[0].categories = {{"tv", std::numeric_limits<float>::infinity()}};
+    for (const bool embed : {false, true}) {
+        writeRawlog(m_file, frames, embed);
+        if (embed) std::filesystem::remove(m_folder.file("in.instances.rawlog"));
+        RawlogFrameSource source(m_file, {}, {});
+        std::vector<size_t> predictions;
+        while (const auto frame = source.next())
+            predictions.push_back(frame->instances->instances.size());
+        EXPECT_EQ(predictions, (std::vector<size_t>{2, 1, 0, 1}));
+        ASSERT_EQ(source.notes().size(), 1U);
+        EXPECT_EQ(source.notes().front().find("4 predictions of the rawlog left out, the first: "
+                                              "prediction 2 of the image of "),
+                  0U);
+        EXPECT_NE(source.notes().front().find(" has a score of 1.5, which is not within 0 and 1"),
+                  std::string::npos);
+        RawlogFrameSource strict(m_file, {}, {}, true);
+        EXPECT_THROW(while (strict.next()) continue, InputError);
+    }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/Decisions.h"
 
+#include <algorithm>
+
 namespace voxeland
 {
 void decide(SemanticVoxelMap& map, instance_id_t instance, Decision decision,
@@ -8,7 +10,7 @@ void decide(SemanticVoxelMap& map, instance_id_t instance, Decision decision,
 {
     Instance& i = map.instance(instance);
     const double all = i.evidence().total() + map.options().prior_strength;
-    decision.evidence = options.decision_weight * all;
+    decision.evidence = std::min(options.decision_weight * all, CategoryEvidence::MOST);
     i.decisions.push_back(std::move(decision));
 }
 

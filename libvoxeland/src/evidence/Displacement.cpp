@@ -8,6 +8,7 @@ namespace voxeland
 double probabilityOfStaying(double displacement, double edge)
 {
     if (displacement <= 0) return 1;
+    if (std::isinf(displacement)) return 0;
     const double s = displacement / (std::sqrt(3) * edge);
     // expm1: exact where s is large and the exponential is nearly 1.
     const double alongOneAxis =

@@ -50,7 +50,11 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
     m_objectBytes.clear();
     const std::string where = m_name + " after " + std::to_string(m_position) + " bytes";
     try {
-        return mrpt::serialization::archiveFrom(*this).ReadObject();
+        const auto object = mrpt::serialization::archiveFrom(*this).ReadObject();
+        updateProgress();
+        return object;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& e) {
         if (m_objectBytes.empty() && gzeof(m_file)) {
             int state = Z_OK;
@@ -62,11 +66,11 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
     }
 }
 
-double GzInputFile::progress() const
+/** zlib's own count may be asked for by the thread that reads alone. */
+void GzInputFile::updateProgress()
 {
-    return m_fileSize == 0
-               ? 0
-               : static_cast<double>(gzoffset(m_file)) / static_cast<double>(m_fileSize);
+    if (m_fileSize > 0)
+        m_progress = static_cast<double>(gzoffset(m_file)) / static_cast<double>(m_fileSize);
 }
 
 size_t GzInputFile::Read(void* data, size_t bytes)

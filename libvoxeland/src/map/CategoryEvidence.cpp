@@ -52,10 +52,10 @@ void CategoryEvidence::add(category_id_t category, double beta)
                          [](const Entry& e, category_id_t id) { return e.category < id; });
     const bool known = at != m_entries.end() && at->category == category;
     if (!known) {
-        if (beta > 0) m_entries.insert(at, {category, beta});
+        if (beta > 0) m_entries.insert(at, {category, std::min(beta, MOST)});
         return;
     }
-    at->beta += beta;
+    at->beta = std::min(at->beta + beta, MOST);
     if (!(at->beta > 0)) m_entries.erase(at);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/FrameAssembler.h"
 
+#include "voxeland/numbers.h"
+
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <mrpt/serialization/CArchive.h>
@@ -30,6 +32,22 @@ bool isCovariance(const mrpt::math::CMatrixDouble66& matrix)
             if (!std::isfinite(matrix(row, col))) return false;
     }
     return true;
+}
+
+/** What is wrong with the numbers of a prediction; empty: nothing is. */
+std::string oddityOf(const InstancePrediction& p, const CObservationInstances& image)
+{
+    if (!(p.score >= 0 && p.score <= 1))
+        return "has a score of " + numberText(p.score) + ", which is not within 0 and 1";
+    if (p.mask.width() != image.imageWidth || p.mask.height() != image.imageHeight)
+        return "has a mask of another size than its image";
+    double sum = 0;
+    for (const auto& c : p.categories) {
+        if (!(c.probability >= 0 && std::isfinite(c.probability)))
+            return "has a category of probability " + numberText(c.probability);
+        sum += static_cast<double>(c.probability);
+    }
+    return sum > 0 || p.categories.empty() ? "" : "has categories of no probability";
 }
 
 /** The robot's pose, given that of some axes of a sensor on it. */
@@ -89,12 +107,35 @@ std::pair<FrameAssembler::Moment, size_t> FrameAssembler::momentOfScan(
     return {moment, m_scansOfMoment};
 }
 
+std::shared_ptr<const CObservationInstances> FrameAssembler::withoutOdd(
+    std::shared_ptr<const CObservationInstances> observation)
+{
+    std::vector<InstancePrediction> usable;
+    size_t number = 0;
+    for (const InstancePrediction& p : observation->instances) {
+        ++number;
+        const std::string oddity = oddityOf(p, *observation);
+        if (oddity.empty())
+            usable.push_back(p);
+        else
+            m_oddPredictions.add("prediction " + std::to_string(number) + " of the image of " +
+                                 mrpt::system::dateTimeToString(observation->timestamp) + " " +
+                                 oddity);
+    }
+    if (usable.size() == observation->instances.size()) return observation;
+    auto changed = std::make_shared<CObservationInstances>(*observation);
+    changed->instances = std::move(usable);
+    return changed;
+}
+
 void FrameAssembler::addScan(std::shared_ptr<const CObservation3DRangeScan> scan,
                              std::shared_ptr<const CObservationInstances> instances,
                              std::optional<RobotPose> pose)
 {
     const auto [moment, nth] = momentOfScan(scan->timestamp);
-    if (!instances) {
+    if (instances) {
+        instances = withoutOdd(std::move(instances));
+    } else {
         const auto waiting =
             std::find_if(m_instances.begin(), m_instances.end(),
                          [m = moment](const Instances& i) { return i.moment == m; });
@@ -111,6 +152,7 @@ void FrameAssembler::addInstances(std::shared_ptr<const CObservationInstances> i
     const auto time = instances->timestamp;
     const Moment moment{m_clock.recordingOf(RecordingClock::Stream::predictions, time), time};
     if (m_skipped.erase(moment) > 0) return;
+    instances = withoutOdd(std::move(instances));
     const auto scan = std::find_if(m_scans.begin(), m_scans.end(), [&](const Scan& s) {
         return !s.instances && s.moment == moment;
     });

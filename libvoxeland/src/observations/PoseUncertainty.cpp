@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using mrpt::math::CMatrixDouble66;
 using mrpt::math::TPoint3D;
@@ -69,6 +70,8 @@ double PoseUncertainty::displacement(const TPoint3D& point) const
     };
     const TVector3D u = point - m_origin;
     const TVector3D turned(dot(m_rotation[0], u), dot(m_rotation[1], u), dot(m_rotation[2], u));
-    return std::sqrt(std::max(0.0, m_translation + 2 * dot(m_mixed, u) + dot(turned, u)));
+    const double squared = m_translation + 2 * dot(m_mixed, u) + dot(turned, u);
+    if (!std::isfinite(squared)) return std::numeric_limits<double>::infinity();
+    return std::sqrt(std::max(0.0, squared));
 }
 }  // namespace voxeland

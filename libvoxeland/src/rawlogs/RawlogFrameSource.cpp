@@ -101,10 +101,12 @@ std::vector<std::string> RawlogFrameSource::notes() const
     std::vector<std::string> notes = m_trajectoryNotes;
     for (const LabelChoice* choice : {&m_cameras, &m_detectors, &m_poseSensors})
         choice->tell(notes);
-    const LeftOut& odd = m_assembler.oddPoses();
-    if (odd.count() > 0)
-        notes.push_back(odd.told("pose or covariance of the rawlog",
-                                 "poses or covariances of the rawlog"));
+    const auto tell = [&](const LeftOut& odd, const char* one, const char* several) {
+        if (odd.count() > 0) notes.push_back(odd.told(one, several));
+    };
+    tell(m_assembler.oddPoses(), "pose or covariance of the rawlog",
+         "poses or covariances of the rawlog");
+    tell(m_assembler.oddPredictions(), "prediction of the rawlog", "predictions of the rawlog");
     const uint32_t lost = m_assembler.counts().framesWithoutPose;
     if (lost > 0)
         notes.push_back(counted(lost, "frame") + " left out without a pose: " + whyNoPoses());

@@ -12,7 +12,7 @@ namespace voxeland
  *      p(s) = erf(1 / (sqrt(2) s)) - sqrt(2 / pi) s (1 - exp(-1 / (2 s^2)))
  *
  *  and p(s)^3 along three axes, with s = displacement / (sqrt(3) edge).
- *  \param displacement root of the mean square of the error's length, >= 0 [m]
+ *  \param displacement root of the mean square of the error's length, >= 0, maybe infinite [m]
  *  \param edge of the voxel, > 0 [m]
  *  \return in (0,1]: 1 without error */
 double probabilityOfStaying(double displacement, double edge);

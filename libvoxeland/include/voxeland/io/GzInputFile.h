@@ -3,6 +3,7 @@
 #include <mrpt/io/CStream.h>
 #include <mrpt/serialization/CSerializable.h>
 
+#include <atomic>
 #include <string>
 
 struct gzFile_s;
@@ -26,8 +27,8 @@ class GzInputFile : public mrpt::io::CStream
     /** The object last read as it is in the file (uncompressed). */
     [[nodiscard]] const std::string& objectBytes() const { return m_objectBytes; }
 
-    /** How much of the file has been read, in [0,1]. */
-    [[nodiscard]] double progress() const;
+    /** How much of the file had been read after the last object, in [0,1]. From any thread. */
+    [[nodiscard]] double progress() const { return m_progress; }
 
     /** \return bytes read: fewer than asked for only at the end of the file
      *  \throws InputError if the file is cut off or damaged */
@@ -44,9 +45,12 @@ class GzInputFile : public mrpt::io::CStream
     /** @} */
 
  private:
+    void updateProgress();
+
     std::string m_name;
     std::string m_objectBytes;
     gzFile_s* m_file = nullptr;
     uint64_t m_position = 0, m_fileSize = 0;
+    std::atomic<double> m_progress{0};
 };
 }  // namespace voxeland

@@ -39,6 +39,9 @@ class CategoryTable
 class CategoryEvidence
 {
  public:
+    /** There is no more evidence of a category than this: sums stay finite. */
+    static constexpr double MOST = 1e100;
+
     /** Evidence of one category. */
     struct Entry
     {
@@ -52,8 +55,8 @@ class CategoryEvidence
     [[nodiscard]] double betaOf(category_id_t category) const;
     /** The category with most evidence (of equals the one with the lowest id), none if empty. */
     [[nodiscard]] std::optional<category_id_t> top() const;
-    /** Adds evidence (may be negative to take some back; an entry that reaches zero goes). What is
-     * not finite is no evidence: nothing changes. */
+    /** Adds evidence, up to MOST (may be negative to take some back; an entry that reaches zero
+     * goes). What is not finite is no evidence: nothing changes. */
     void add(category_id_t category, double beta);
     /** Adds all of another's evidence, scaled. */
     void add(const CategoryEvidence& other, double scale = 1);

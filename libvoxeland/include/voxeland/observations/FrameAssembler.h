@@ -47,9 +47,12 @@ class FrameAssembler
 
     /** \param patience newer frames to wait for a frame's predictions or pose
      *  \param maxPoseGap longest time between two poses to interpolate over [s]
-     *  \param strict odd poses are errors */
+     *  \param strict odd poses and predictions are errors */
     FrameAssembler(uint32_t patience, double maxPoseGap, bool strict = false)
-        : m_patience(patience), m_trajectory(maxPoseGap), m_oddPoses(strict)
+        : m_patience(patience),
+          m_trajectory(maxPoseGap),
+          m_oddPoses(strict),
+          m_oddPredictions(strict)
     {
     }
 
@@ -65,8 +68,10 @@ class FrameAssembler
      *  \throws InputError instead if strict */
     void addPose(const mrpt::Clock::time_point& time, const mrpt::math::TPose3D& pose,
                  PoseCovariance covariance = nullptr);
-    /** \param instances its predictions, where they come with it
-     *  \param pose of the robot (whatever the axes of other poses), where that comes with it */
+    /** A prediction whose numbers are none, such as a score beyond 0 and 1, is left out, here and
+     * in addInstances(). \param instances its predictions, where they come with it \param pose of
+     * the robot (whatever the axes of other poses), where that comes with it \throws InputError,
+     * for an odd prediction, if strict */
     void addScan(std::shared_ptr<const mrpt::obs::CObservation3DRangeScan> scan,
                  std::shared_ptr<const CObservationInstances> instances = nullptr,
                  std::optional<RobotPose> pose = std::nullopt);
@@ -85,6 +90,8 @@ class FrameAssembler
     [[nodiscard]] const Counts& counts() const { return m_counts; }
     /** Poses and covariances that are none. */
     [[nodiscard]] const LeftOut& oddPoses() const { return m_oddPoses; }
+    /** Predictions whose numbers are none. */
+    [[nodiscard]] const LeftOut& oddPredictions() const { return m_oddPredictions; }
     /** Times of all scans that had one, and of all poses there were. */
     [[nodiscard]] const TimeRange& scanTimes() const { return m_scanTimes; }
     [[nodiscard]] TimeRange poseTimes() const;
@@ -124,6 +131,9 @@ class FrameAssembler
         Moment moment;
     };
 
+    /** Leaves out predictions whose numbers are none. */
+    std::shared_ptr<const CObservationInstances> withoutOdd(
+        std::shared_ptr<const CObservationInstances> observation);
     /** Counts a scan that came, used or not. \return when it was taken, and which it is of those */
     std::pair<Moment, size_t> momentOfScan(const mrpt::Clock::time_point& time);
     /** The pose of a scan, if no other can come that fits better. */
@@ -149,7 +159,7 @@ class FrameAssembler
     std::deque<Scan> m_scans;
     std::deque<Instances> m_instances;  //!< without a scan
     Counts m_counts;
-    LeftOut m_oddPoses;
+    LeftOut m_oddPoses, m_oddPredictions;
     TimeRange m_scanTimes, m_poseTimes;
 };
 }  // namespace voxeland

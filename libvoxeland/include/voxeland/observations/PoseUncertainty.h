@@ -36,7 +36,8 @@ class PoseUncertainty
     PoseUncertainty(const mrpt::poses::CPose3D& pose,
                     const mrpt::math::CMatrixDouble66& covariance);
 
-    /** Root of the mean square displacement of a point [m]. \param point in the map's frame */
+    /** Root of the mean square displacement of a point [m]; infinite where it is beyond all
+     * numbers. \param point in the map's frame */
     [[nodiscard]] double displacement(const mrpt::math::TPoint3D& point) const;
 
  private:
