@@ -199,8 +199,9 @@ TEST_F(SidecarWithGaps, PredictionsOfImpossibleNumbersAreLeftOutAndTold)
             predictions.push_back(frame->instances->instances.size());
         EXPECT_EQ(predictions, (std::vector<size_t>{2, 1, 0, 1}));
         ASSERT_EQ(source.notes().size(), 1U);
-        EXPECT_EQ(source.notes().front().find("4 predictions of the rawlog left out, the first: "
-                                              "prediction 2 of the image of "),
+        EXPECT_EQ(source.notes().front().find(
+                      "4 predictions of the rawlog left out (--strict: an error), "
+                      "the first: prediction 2 of the image of "),
                   0U);
         EXPECT_NE(source.notes().front().find(" has a score of 1.5, which is not within 0 and 1"),
                   std::string::npos);
