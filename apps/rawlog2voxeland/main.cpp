@@ -120,7 +120,7 @@ Ini configuration(Arguments& arguments, const CVoxelandMap* resumed)
     if (arguments.config.isSet())
         ini = Ini::fromFile(arguments.config.getValue());
     else if (resumed != nullptr)
-        ini = Ini::fromText(resumed->configText(), arguments.resume.getValue());
+        ini = Ini::fromMap(resumed->configText(), arguments.resume.getValue());
     if (arguments.poses.isSet()) ini.set("voxeland.pose_source=tum:" + arguments.poses.getValue());
     if (arguments.poseAxes.isSet()) ini.set("voxeland.pose_axes=" + arguments.poseAxes.getValue());
     arguments.set.applyTo(ini);
@@ -260,7 +260,9 @@ int makeMap(Arguments& arguments)
     std::shared_ptr<CVoxelandMap> map = std::make_shared<CVoxelandMap>();
     const bool resumes = arguments.resume.isSet();
     if (resumes) map = loadMap(arguments.resume.getValue());
-    const MapperConfig config(configuration(arguments, resumes ? map.get() : nullptr));
+    const MapperConfig config(configuration(arguments, resumes ? map.get() : nullptr),
+                              MapperConfig::Purpose::mapping,
+                              [&](const std::string& left) { arguments.warn(left); });
     if (arguments.dumpConfig.isSet()) {
         std::cout << config.text();
         return 0;

@@ -75,7 +75,7 @@ struct Arguments : apps::CommandLine
 Ini configuration(Arguments& arguments, const CVoxelandMap& map)
 {
     Ini ini = arguments.config.isSet() ? Ini::fromFile(arguments.config.getValue())
-                                       : Ini::fromText(map.configText(), arguments.map.getValue());
+                                       : Ini::fromMap(map.configText(), arguments.map.getValue());
     arguments.set.applyTo(ini);
     return ini;
 }
@@ -216,7 +216,8 @@ std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const Se
 
 int ask(Arguments& arguments, CVoxelandMap& map, const std::vector<std::string>& command)
 {
-    MapperConfig config(configuration(arguments, map));
+    MapperConfig config(configuration(arguments, map), MapperConfig::Purpose::asking,
+                        [&](const std::string& left) { arguments.warn(left); });
     config.input = map.withCamera(config.input);
     const bool dry = arguments.dryRun.isSet();
     if (!dry) config.disambiguator->start();

@@ -63,7 +63,8 @@ void CChatCompletionsDisambiguator::declareOptions(OptionList& options)
     options.add("api_key_env", m_keyVariable,
                 "Name of the environment variable with the server's key; empty: it needs none");
     options.add("send_key_unencrypted", m_keyUnencrypted,
-                "Send the key to another machine even if base_url is not https");
+                "Send the key to another machine even if base_url is not https",
+                OptionList::noValue);
     options.add("ca_file", m_caFile,
                 "PEM file with the certificates to trust instead of the system's; empty: those");
     options.add("connect_timeout", m_connectTimeout, {0.001, 3600},

@@ -31,7 +31,8 @@ void CReplayDisambiguator::start()
         throw ConfigurationError("[disambiguation] folder is empty: name a folder");
     makeOutputFolder(m_folder);
     if (m_recordConfig.empty()) return;
-    const auto recorded = MapperConfig(Ini::fromFile(m_recordConfig)).disambiguator;
+    const auto recorded =
+        MapperConfig(Ini::fromFile(m_recordConfig), MapperConfig::Purpose::asking).disambiguator;
     recorded->start();
     m_recorded = recorded;
 }

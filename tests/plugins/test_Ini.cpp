@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 using namespace voxeland;
 
@@ -95,4 +96,54 @@ TEST(Ini, TakesOverPrefixedSections)
     EXPECT_EQ(ini.value("map", "resolution"), "0.2");
     EXPECT_EQ(ini.value("map", "prob_hit"), "0.6");
     EXPECT_TRUE(ini.keys("other").empty());
+}
+
+TEST(Ini, NothingInAMapIsExpanded)
+{
+    setenv("VOXELAND_TEST_VALUE", "expanded", 1);
+    const Ini ini = Ini::fromMap(
+        "@define A b\n[map]\nx = $env{VOXELAND_TEST_VALUE}\ny = ${A}\nz = $eval{1+1}\nprice = 3$\n",
+        "m.voxeland");
+    EXPECT_EQ(ini.value("map", "x"), "$env{VOXELAND_TEST_VALUE}");
+    EXPECT_EQ(ini.value("map", "y"), "${A}");
+    EXPECT_EQ(ini.value("map", "z"), "$eval{1+1}");
+    EXPECT_EQ(ini.value("map", "price"), "3$");
+    EXPECT_EQ(ini.origin(), "m.voxeland");
+}
+
+TEST(Ini, KnowsWhatWasWrittenForTheEnvironment)
+{
+    setenv("VOXELAND_TEST_VALUE", "expanded", 1);
+    Ini ini = Ini::fromText(
+        "@define A $env{VOXELAND_TEST_VALUE}\n@define B 2\n[s]\nx = ${A}/y\nz = ${B}\n", "a text");
+    EXPECT_EQ(ini.value("s", "x"), "expanded/y");
+    EXPECT_EQ(ini.written("s", "x"), "$env{VOXELAND_TEST_VALUE}/y");
+    EXPECT_EQ(ini.written("s", "z"), "2");
+    const mrpt::config::CConfigFileMemory others("[p_s]\nx = $env{VOXELAND_TEST_VALUE}\n");
+    ini.setFromPrefixedSections(others, "p", {"s"});
+    EXPECT_EQ(ini.value("s", "x"), "expanded");
+    EXPECT_FALSE(ini.written("s", "x")) << "MRPT expanded it before";
+    ini.set("s.X=y");
+    EXPECT_EQ(ini.written("s", "x"), "y");
+}
+
+TEST(Ini, KnowsWhichValuesAreAMaps)
+{
+    Ini ini = Ini::fromMap("[Map]\nx = 1\ny = 2\nz = 3\n", "m.voxeland");
+    EXPECT_TRUE(ini.isOfMap("map", "X"));
+    ini.set("map.X=4");
+    const mrpt::config::CConfigFileMemory others("[p_map]\ny = 5\n");
+    ini.setFromPrefixedSections(others, "p", {"map"});
+    EXPECT_FALSE(ini.isOfMap("Map", "x"));
+    EXPECT_FALSE(ini.isOfMap("Map", "y"));
+    EXPECT_TRUE(ini.isOfMap("Map", "z"));
+    EXPECT_FALSE(Ini::fromText("[map]\nx = 1\n", "a text").isOfMap("map", "x"));
+}
+
+TEST(Ini, ControlCharactersAreRefused)
+{
+    EXPECT_THROW(Ini::fromText("[map]\nx = \x1B[2J\n", "a text"), ConfigurationError);
+    EXPECT_THROW(Ini::fromMap("[map]\nx = \x1A\n", "m.voxeland"), ConfigurationError);
+    EXPECT_THROW(Ini().set("map.x=a\n[converter]"), ConfigurationError);
+    EXPECT_NO_THROW(Ini::fromText("[map]\n\tx = 1\t// one\r\n", "a text"));
 }

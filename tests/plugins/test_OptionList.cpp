@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <sstream>
 
 using namespace voxeland;
@@ -174,4 +175,94 @@ TEST(OptionList, RetiredKeysAreReadAndDoNothing)
     std::ostringstream out;
     list.print(out, "s");
     EXPECT_EQ(out.str().find("former"), std::string::npos);
+}
+
+namespace
+{
+/** Options of which a map may say some. */
+struct GuardedOptions
+{
+    std::string file = "default.txt", label = "none";
+    bool safe = true;
+    int count = 0;
+    OptionList list;
+
+    explicit GuardedOptions(const Ini& ini)
+    {
+        list.add("file", file, "A file");
+        list.add("label", label, "A label", OptionList::anyValue);
+        list.add("safe", safe, "Whether to be careful", OptionList::noValue);
+        list.add("count", count, {0, 9}, "How many");
+        std::vector<std::string> problems;
+        list.load(ini, "s", problems);
+        EXPECT_TRUE(problems.empty()) << problems.front();
+    }
+    [[nodiscard]] std::string printed() const
+    {
+        std::ostringstream out;
+        list.print(out, "s");
+        return out.str();
+    }
+};
+
+const std::string ALL = "[s]\nfile = a.txt\nlabel = b\nsafe = no\ncount = 3\n";
+}  // namespace
+
+TEST(OptionList, OfAMapOnlyWhatIsHarmlessIsTaken)
+{
+    const GuardedOptions o(Ini::fromMap(ALL, "m.voxeland"));
+    EXPECT_EQ(o.file, "default.txt");
+    EXPECT_EQ(o.label, "b");
+    EXPECT_TRUE(o.safe);
+    EXPECT_EQ(o.count, 3);
+    EXPECT_EQ(o.list.leftToUser(),
+              (std::vector<std::string>{"[s] file = 'a.txt'", "[s] safe = 'no'"}));
+    const GuardedOptions users(Ini::fromText(ALL, "my.ini"));
+    EXPECT_EQ(users.file, "a.txt");
+    EXPECT_FALSE(users.safe);
+    EXPECT_TRUE(users.list.leftToUser().empty());
+}
+
+TEST(OptionList, WhatIsTheDefaultAnywayIsNotTold)
+{
+    const GuardedOptions o(Ini::fromMap("[s]\nfile = default.txt\nsafe = true\n", "m.voxeland"));
+    EXPECT_TRUE(o.list.leftToUser().empty());
+}
+
+TEST(OptionList, WhatTheUserSaysOverAMapIsTaken)
+{
+    Ini ini = Ini::fromMap(ALL, "m.voxeland");
+    ini.set("s.file=c.txt");
+    const GuardedOptions o(ini);
+    EXPECT_EQ(o.file, "c.txt");
+    EXPECT_EQ(o.list.leftToUser(), std::vector<std::string>{"[s] safe = 'no'"});
+}
+
+TEST(OptionList, PrintsTheEnvironmentByName)
+{
+    setenv("VOXELAND_TEST_VALUE", "7", 1);
+    const std::string value = "$env{VOXELAND_TEST_VALUE}";
+    const GuardedOptions o(Ini::fromText(
+        "[s]\nfile = " + value + "\nlabel = " + value + "\ncount = " + value + "\n", "my.ini"));
+    EXPECT_EQ(o.file, "7");
+    EXPECT_EQ(o.label, "7");
+    EXPECT_TRUE(contains(o.printed(), "\nfile = " + value + "\n")) << o.printed();
+    EXPECT_TRUE(contains(o.printed(), "\nlabel = " + value + "\n"));
+    EXPECT_TRUE(contains(o.printed(), "\ncount = 7\n")) << "a number tells nothing";
+    // A map that holds it does not get it expanded, nor taken as it is.
+    const GuardedOptions again(Ini::fromMap(o.printed(), "m.voxeland"));
+    EXPECT_EQ(again.label, "none");
+    EXPECT_EQ(again.count, 7);
+    EXPECT_EQ(again.list.leftToUser().size(), 2u);
+}
+
+TEST(OptionList, PrintsNoTextsThatMrptMayHaveExpanded)
+{
+    const mrpt::config::CConfigFileMemory others("[p_s]\nfile = a.txt\nlabel = b\n");
+    Ini ini;
+    ini.setFromPrefixedSections(others, "p", {"s"});
+    const GuardedOptions o(ini);
+    EXPECT_EQ(o.file, "a.txt");
+    EXPECT_TRUE(contains(o.printed(), "\nfile = \n")) << o.printed();
+    EXPECT_TRUE(contains(o.printed(), "\nlabel = b\n"));
 }

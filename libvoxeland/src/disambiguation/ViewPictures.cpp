@@ -152,8 +152,9 @@ size_t fetchPictures(std::vector<UncertainInstance>& instances, const std::strin
     if (wishes.empty()) return 0;
 
     // Only what is recorded with the rawlog can be compared with what the map remembers.
-    const bool comparable = std::string(config.converter->GetRuntimeClass()->className) ==
-                            "voxeland::CRecordedInstancesConverter";
+    const bool comparable =
+        config.converter && std::string(config.converter->GetRuntimeClass()->className) ==
+                                "voxeland::CRecordedInstancesConverter";
     FrameFinder finder(rawlog, config.input, times);
     size_t found = 0, different = 0;
     while (const auto frame = finder.next()) {

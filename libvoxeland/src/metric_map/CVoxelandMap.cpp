@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/metric_map/CVoxelandMap.h"
 
+#include "UsersConfigurations.h"
+#include "WarnOnce.h"
 #include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/LevelFrame.h"
@@ -16,9 +18,6 @@
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include <iostream>
-#include <mutex>
-#include <set>
 #include <sstream>
 
 using mrpt::obs::CObservation;
@@ -31,16 +30,10 @@ IMPLEMENTS_SERIALIZABLE(CVoxelandMap, mrpt::maps::CMetricMap, voxeland)
 
 namespace
 {
-/** Once for each label, not for each map: particle filters copy theirs all the time. */
 void warnOfAnotherCamera(const std::string& refused, const std::string& mapped)
 {
-    static std::mutex mutex;
-    static std::set<std::string> told;
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (told.insert(refused).second)
-        std::cerr << "voxeland map: warning: scans of '" << printable(refused)
-                  << "' are left out, as those of '" << printable(mapped)
-                  << "' came first: name the camera to map as depth_sensor_label\n";
+    warnOnce("scans of '" + printable(refused) + "' are left out, as those of '" +
+             printable(mapped) + "' came first: name the camera to map as depth_sensor_label");
 }
 }  // namespace
 
@@ -62,13 +55,20 @@ void CVoxelandMap::setConfig(const MapperConfig& config)
         throw ConfigurationError(std::string("[map] ") + e.what());
     }
     m_configText = config.reproducibleText();
+    UsersConfigurations::add(config);
     m_mapper.emplace(config);
     m_assembler.setLimits(config.input.prediction_wait, config.input.max_pose_gap);
 }
 
 const SemanticMapper& CVoxelandMap::mapper()
 {
-    if (!m_mapper) setConfig(MapperConfig(Ini::fromText(m_configText, "the map's configuration")));
+    if (m_mapper) return *m_mapper;
+    // MRPT's programs copy maps by writing and reading them: the user's choices must survive that.
+    if (const auto known = UsersConfigurations::find(m_configText))
+        setConfig(*known);
+    else
+        setConfig(MapperConfig(Ini::fromMap(m_configText, "a map that was read"),
+                               MapperConfig::Purpose::mapping, warnOnce));
     return *m_mapper;
 }
 

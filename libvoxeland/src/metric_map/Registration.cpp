@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How MRPT's programs create a CVoxelandMap from their INI, and how it is serialized. */
+#include "WarnOnce.h"
 #include "voxeland/errors.h"
 #include "voxeland/joined.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
@@ -73,22 +74,21 @@ void CVoxelandMap::TMapDefinition::loadFromConfigFile_map_specific(
     Ini all = Ini::fromText("", prefix + "*");
     if (!load.empty()) {
         const auto loaded = loadMap(load);
-        all = Ini::fromText(loaded->configText(), load);
+        all = Ini::fromMap(loaded->configText(), load);
         likelihoodOpts = loaded->likelihoodOptions;
     }
     if (!creation.config.empty()) all = Ini::fromFile(creation.config);
     all.setFromPrefixedSections(source, sectionNamePrefix, MapperConfig::sections());
-    const MapperConfig config(all);
-    ini = config.reproducibleText();
+    config = std::make_shared<MapperConfig>(all, MapperConfig::Purpose::mapping, warnOnce);
     likelihoodOpts.loadFromConfigFile(source, prefix + LIKELIHOOD);
-    if (likelihoodOpts.max_corr_distance > DistanceField::LARGEST_REACH * config.map.resolution)
+    if (likelihoodOpts.max_corr_distance > DistanceField::LARGEST_REACH * config->map.resolution)
         throw ConfigurationError("[" + prefix + LIKELIHOOD +
                                  "] max_corr_distance is more than 99 voxels: look less far");
 }
 
 void CVoxelandMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-    out << "load = " << load << "\n" << ini << "\n";
+    out << "load = " << load << "\n" << (config ? config->text() : "") << "\n";
     likelihoodOpts.dumpToTextStream(out);
 }
 
@@ -96,10 +96,9 @@ MapFactoryResult CVoxelandMap::internal_CreateFromMapDefinition(
     const mrpt::maps::TMetricMapInitializer& definition)
 {
     const auto& d = dynamic_cast<const CVoxelandMap::TMapDefinition&>(definition);
-    const MapperConfig config(Ini::fromText(d.ini, "the map's definition"));
     auto map = std::make_unique<CVoxelandMap>();
     if (!d.load.empty()) *map = std::move(*loadMap(d.load));
-    map->setConfig(config);
+    map->setConfig(d.config ? *d.config : MapperConfig());
     map->likelihoodOptions = d.likelihoodOpts;
     return mapFactoryResult(std::move(map));
 }

@@ -5,6 +5,7 @@
 #include "voxeland/joined.h"
 #include "voxeland/pipeline/PoseSource.h"
 #include "voxeland/plugins/PluginLoader.h"
+#include "voxeland/printable.h"
 
 #include <algorithm>
 #include <functional>
@@ -19,20 +20,24 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 void declare(OptionList& list, InputOptions& o)
 {
     list.add("depth_sensor_label", o.depth_sensor_label,
-             "Sensor label of the RGB-D camera; empty: the first CObservation3DRangeScan met");
+             "Sensor label of the RGB-D camera; empty: the first CObservation3DRangeScan met",
+             OptionList::anyValue);
     list.add("instances_sensor_label", o.instances_sensor_label,
-             "Sensor label of the predictions; empty: that of the camera, or else the first met");
+             "Sensor label of the predictions; empty: that of the camera, or else the first met",
+             OptionList::anyValue);
     list.add(
         "pose_source", o.pose_source,
         "Where robot poses come from: robot_pose | odometry | actions | tum:<file>; those of a "
-        "simplemap are its keyframes', unless tum:<file>");
+        "simplemap are its keyframes', unless tum:<file>",
+        [](const std::string& source) { return !isTumPoseSource(source); });
     list.add(
         "pose_axes", o.pose_axes, poseAxesByName(),
         "What those poses are of: body, the robot (x forward, y left, z up); optical, the "
         "depth camera (x right, y down, z forward); opengl, it too (x right, y up, z backward); "
         "of actions and simplemaps always body");
     list.add("pose_sensor_label", o.pose_sensor_label,
-             "Sensor label of the robot poses; empty: the first CObservationRobotPose met");
+             "Sensor label of the robot poses; empty: the first CObservationRobotPose met",
+             OptionList::anyValue);
     list.add("max_pose_gap", o.max_pose_gap, {0, INF},
              "Longest time between two poses to interpolate over [s]");
     list.add("prediction_wait", o.prediction_wait, {0, 1000},
@@ -169,23 +174,24 @@ struct PluginSection
 
     /** \param declareOthers declares the section's keys that no plugin owns */
     PluginSection(const Ini& ini, std::string name, const std::string& defaultClass,
-                  Problems& problems,
+                  Problems& problems, bool isNeeded,
                   const std::function<void(OptionList&)>& declareOthers = nullptr)
         : section(std::move(name))
     {
         // These two decide which other keys there are, so they are read first.
         OptionList choice;
         std::vector<std::string> reportedLater;
-        choice.add("class", className, "");
+        choice.add("class", className, "", OptionList::anyValue);
         choice.add("plugin", library, "");
         choice.load(ini, section, reportedLater);
         try {
             object = created(ini, defaultClass);
         } catch (const PluginError& e) {
-            problems.plugins.emplace_back(e.what());
+            if (isNeeded || !ini.isOfMap(section, "class"))
+                problems.plugins.push_back(whyNone(e, choice));
             return;  // which other keys there are is not known
         }
-        options.add("class", className, object->description());
+        options.add("class", className, object->description(), OptionList::anyValue);
         options.add("plugin", library, "Library of the class; empty: it is a shipped one");
         if (declareOthers) declareOthers(options);
         object->declareOptions(options);
@@ -193,6 +199,15 @@ struct PluginSection
     }
 
  private:
+    [[nodiscard]] std::string whyNone(const PluginError& e, const OptionList& choice) const
+    {
+        if (choice.leftToUser().empty()) return e.what();
+        return "the map was made with the class '" + printable(className) +
+               "' of another library, which is not loaded because a map says so: give it again as "
+               "key 'plugin' of [" +
+               section + "], with -c or --set (" + printable(choice.leftToUser().back()) + ")";
+    }
+
     std::shared_ptr<Base> created(const Ini& ini, const std::string& defaultClass)
     {
         if (!library.empty()) {
@@ -204,6 +219,17 @@ struct PluginSection
         return createPlugin<Base>(className);
     }
 };
+
+/** What of a map's configuration is left out, in a sentence; empty if nothing is. */
+std::string leftToUser(const std::vector<const OptionList*>& lists, const std::string& map)
+{
+    std::vector<std::string> all;
+    for (const OptionList* list : lists)
+        for (const std::string& setting : list->leftToUser()) all.push_back(printable(setting));
+    if (all.empty()) return {};
+    return "'" + map + "' is only a map and may not choose files, servers or libraries: left out " +
+           joined(all, ", ") + "; if that is right, give it yourself in an INI or with --set";
+}
 
 void checkSections(const Ini& ini, std::vector<std::string>& problems)
 {
@@ -227,8 +253,9 @@ const std::vector<std::string>& MapperConfig::sections()
     return names;
 }
 
-MapperConfig::MapperConfig(const Ini& ini)
+MapperConfig::MapperConfig(const Ini& ini, Purpose purpose, const Tell& tell)
 {
+    const bool maps = purpose == Purpose::mapping;
     Problems problems;
     checkSections(ini, problems.settings);
     OptionList inputList, mapList, refinementList;
@@ -248,16 +275,22 @@ MapperConfig::MapperConfig(const Ini& ini)
         problems.settings.push_back(std::string("[map] ") + e.what());
     }
 
-    PluginSection<COpinionConverter> converterSection(ini, "converter",
-                                                      "CRecordedInstancesConverter", problems);
+    PluginSection<COpinionConverter> converterSection(
+        ini, "converter", "CRecordedInstancesConverter", problems, maps);
     PluginSection<CAssociationPolicy> associationSection(ini, "association",
-                                                         "CEvidentialAssociation", problems);
+                                                         "CEvidentialAssociation", problems, maps);
     PluginSection<CDisambiguator> disambiguationSection(
-        ini, "disambiguation", "CTopCategoryDisambiguator", problems,
+        ini, "disambiguation", "CTopCategoryDisambiguator", problems, !maps,
         [this](OptionList& list) { declare(list, disambiguation); });
+    std::vector<const OptionList*> needed = {&disambiguationSection.options};
+    if (maps) needed = {&inputList, &converterSection.options, &associationSection.options};
+    if (const std::string left = leftToUser(needed, ini.mapName()); tell && !left.empty())
+        tell(left);
     problems.report(ini.origin());
-    converterSection.object->start();
-    associationSection.object->start();
+    if (maps) {
+        converterSection.object->start();
+        associationSection.object->start();
+    }
     converter = converterSection.object;
     association = associationSection.object;
     disambiguator = disambiguationSection.object;

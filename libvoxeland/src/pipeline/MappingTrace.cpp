@@ -57,7 +57,7 @@ void writeLine(std::ostream& out, const json& line)
 
 MappingTrace::MappingTrace(std::ostream& out, const MapperConfig& config) : m_out(out)
 {
-    const Ini ini = Ini::fromText(config.text(), "the configuration in effect");
+    const Ini ini = Ini::fromMap(config.text(), "the configuration in effect");
     json thresholds;
     for (const char* section : {"association", "refinement"})
         thresholds[section] = sectionOf(ini, section);

@@ -5,6 +5,7 @@
 #include "voxeland/errors.h"
 #include "voxeland/trimmed.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -34,6 +35,13 @@ std::string plainLines(std::string text)
     return plain;
 }
 
+bool holdsControls(const std::string& text)
+{
+    return std::any_of(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n') || c == '\x7F';
+    });
+}
+
 /** MRPT's parser passes over what it does not understand; this does not. */
 void checkLines(const std::string& text, const std::string& origin)
 {
@@ -42,6 +50,9 @@ void checkLines(const std::string& text, const std::string& origin)
     size_t number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
+        if (holdsControls(line))
+            throw ConfigurationError("line " + std::to_string(number) + " of '" + origin +
+                                     "' holds control characters: is it an INI?");
         const std::string words = trimmed(line);
         const bool follows = std::exchange(continued, !words.empty() && words.back() == '\\');
         if (words.empty() || follows) continue;
@@ -51,6 +62,74 @@ void checkLines(const std::string& text, const std::string& origin)
             throw ConfigurationError("line " + std::to_string(number) + " of '" + origin +
                                      "' is neither '[section]' nor 'key = value'");
     }
+}
+
+using Content = mrpt::config::CConfigFileMemory;
+
+/** \throws ConfigurationError, naming the origin, where MRPT finds it wrong */
+Content parsedByMrpt(const std::string& text, const std::string& origin)
+{
+    const ClassicNumbers expressions;  // of MRPT's $eval{}
+    try {
+        Content content;
+        content.setContent(text);
+        return content;
+    } catch (const std::exception& e) {
+        throw ConfigurationError("'" + origin + "' is not a valid INI: " + firstLine(e.what()));
+    }
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+    return text;
+}
+
+/** Parses a text whose expansions of one kind stay as they are written.
+ *  \param kind with what they begin: "$env{", or "$" for all of them */
+Content parsedWithout(const std::string& kind, const std::string& text, const std::string& origin)
+{
+    static const std::string HIDDEN = "\x1A";  // in no text: see checkLines()
+    Content hidden = parsedByMrpt(replaced(text, kind, HIDDEN), origin), content;
+    std::vector<std::string> sections, keys;
+    hidden.getAllSections(sections);
+    for (const std::string& section : sections) {
+        hidden.getAllKeys(section, keys);
+        for (const std::string& key : keys)
+            content.write(section, key,
+                          replaced(hidden.read_string(section, key, ""), HIDDEN, kind));
+    }
+    return content;
+}
+
+/** The INI with the environment's variables named instead of expanded. */
+Content asWritten(const std::string& text, const std::string& origin)
+{
+    try {
+        return parsedWithout("$env{", text, origin);
+    } catch (const ConfigurationError&) {
+        return parsedWithout("$", text, origin);  // an expression needs the variable's value
+    }
+}
+
+/** A text without what MRPT acts upon: lines that start with '@'. */
+std::string withoutDirectives(const std::string& text)
+{
+    std::istringstream in(text);
+    std::string data;
+    for (std::string line; std::getline(in, line);)
+        if (trimmed(line).compare(0, 1, "@") != 0) data += line + "\n";
+    return data;
+}
+
+/** What identifies a key: MRPT makes no difference between large and small letters. */
+std::pair<std::string, std::string> identity(std::string section, std::string key)
+{
+    for (std::string* text : {&section, &key})
+        std::transform(text->begin(), text->end(), text->begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return {section, key};
 }
 }  // namespace
 
@@ -73,12 +152,18 @@ Ini Ini::fromText(const std::string& text, const std::string& origin)
     checkLines(plain, origin);
     Ini ini;
     ini.m_origin = origin;
-    const ClassicNumbers expressions;  // of MRPT's $eval{}
-    try {
-        ini.m_content.setContent(plain);
-    } catch (const std::exception& e) {
-        throw ConfigurationError("'" + origin + "' is not a valid INI: " + firstLine(e.what()));
-    }
+    ini.m_content = parsedByMrpt(plain, origin);
+    ini.m_written = asWritten(plain, origin);
+    return ini;
+}
+
+Ini Ini::fromMap(const std::string& text, const std::string& origin)
+{
+    const std::string plain = withoutDirectives(plainLines(text));
+    checkLines(plain, origin);
+    Ini ini;
+    ini.m_origin = ini.m_mapName = origin;
+    ini.m_content = ini.m_written = parsedWithout("$", plain, origin);
     return ini;
 }
 
@@ -90,8 +175,11 @@ void Ini::setFromPrefixedSections(const mrpt::config::CConfigFileBase& source,
         const std::string section = prefix + "_" + name;
         if (!source.sectionExists(section)) continue;
         source.getAllKeys(section, keys);
-        for (const std::string& key : keys)
+        for (const std::string& key : keys) {
             m_content.write(name, key, source.read_string(section, key, ""));
+            m_setByUser.insert(identity(name, key));
+            m_unknownAsWritten.insert(identity(name, key));
+        }
     }
 }
 
@@ -109,13 +197,20 @@ std::string Ini::text() const
 
 void Ini::set(const std::string& assignment, const std::string& option)
 {
+    if (holdsControls(assignment) || assignment.find('\n') != std::string::npos)
+        throw ConfigurationError((option.empty() ? "" : option + " ") + "'" + assignment +
+                                 "' holds control characters: leave them out");
     const size_t equals = assignment.find('=');
     const size_t dot = assignment.find('.');
     if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals)
         throw ConfigurationError((option.empty() ? "" : option + " ") + "'" + assignment +
                                  "' is not of the form section.key=value");
-    m_content.write(assignment.substr(0, dot), assignment.substr(dot + 1, equals - dot - 1),
-                    assignment.substr(equals + 1));
+    const std::string section = assignment.substr(0, dot),
+                      key = assignment.substr(dot + 1, equals - dot - 1);
+    for (Content* content : {&m_content, &m_written})
+        content->write(section, key, assignment.substr(equals + 1));
+    m_setByUser.insert(identity(section, key));
+    m_unknownAsWritten.erase(identity(section, key));
     if (!option.empty()) m_options.push_back(option + " " + assignment);
 }
 
@@ -136,5 +231,16 @@ std::vector<std::string> Ini::keys(const std::string& section) const
 std::string Ini::value(const std::string& section, const std::string& key) const
 {
     return m_content.read_string(section, key, "");
+}
+
+std::optional<std::string> Ini::written(const std::string& section, const std::string& key) const
+{
+    if (m_unknownAsWritten.count(identity(section, key)) > 0) return std::nullopt;
+    return m_written.read_string(section, key, "");
+}
+
+bool Ini::isOfMap(const std::string& section, const std::string& key) const
+{
+    return !m_mapName.empty() && m_setByUser.count(identity(section, key)) == 0;
 }
 }  // namespace voxeland

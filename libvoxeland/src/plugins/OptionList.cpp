@@ -25,6 +25,14 @@ std::string lowerCase(std::string text)
     return text;
 }
 
+/** Whether MRPT would put something else in a text's place. */
+bool isExpandable(const std::string& text)
+{
+    for (const char* begin : {"${", "$env{", "$eval{"})
+        if (text.find(begin) != std::string::npos) return true;
+    return false;
+}
+
 /** Number of single-character edits between two words (Levenshtein). */
 size_t editDistance(const std::string& a, const std::string& b)
 {
@@ -59,10 +67,11 @@ std::string nearestWord(const std::string& misspelt, const std::vector<std::stri
 void OptionList::addText(const std::string& key, Printer print, Parser parse,
                          const std::string& comment)
 {
-    m_options.push_back({key, comment, std::move(print), std::move(parse)});
+    m_options.push_back({key, comment, std::move(print), std::move(parse), anyValue, false});
 }
 
-void OptionList::add(const std::string& key, std::string& variable, const std::string& comment)
+void OptionList::add(const std::string& key, std::string& variable, const std::string& comment,
+                     OfMaps ofMaps)
 {
     addText(
         key, [&variable] { return variable; },
@@ -71,9 +80,12 @@ void OptionList::add(const std::string& key, std::string& variable, const std::s
             return std::string();
         },
         comment);
+    m_options.back().ofMaps = ofMaps;
+    m_options.back().isText = true;
 }
 
-void OptionList::add(const std::string& key, bool& variable, const std::string& comment)
+void OptionList::add(const std::string& key, bool& variable, const std::string& comment,
+                     OfMaps ofMaps)
 {
     addText(
         key, [&variable] { return variable ? "true" : "false"; },
@@ -86,6 +98,7 @@ void OptionList::add(const std::string& key, bool& variable, const std::string& 
             return "";
         },
         comment);
+    m_options.back().ofMaps = ofMaps;
 }
 
 template <typename Number>
@@ -130,7 +143,7 @@ void OptionList::add(const std::string& key, double& variable, const Range& rang
 }
 
 void OptionList::load(const Ini& ini, const std::string& section,
-                      std::vector<std::string>& problems) const
+                      std::vector<std::string>& problems)
 {
     std::vector<std::string> known;
     for (const Option& o : m_options) known.push_back(o.key);
@@ -148,6 +161,14 @@ void OptionList::load(const Ini& ini, const std::string& section,
             continue;
         }
         const std::string value = ini.value(section, key);
+        const bool isLeftToUser =
+            ini.isOfMap(section, key) && (!option->ofMaps(value) || isExpandable(value));
+        if (isLeftToUser) {
+            if (value != option->print())
+                m_leftToUser.push_back("[" + section + "] " + option->key + " = '" + value + "'");
+            continue;
+        }
+        option->printed = printedFor(*option, ini, section);
         const std::string wrong = option->parse(value);
         if (wrong.empty()) continue;
         problems.push_back("[" + section + "] " + option->key + " = '" + value + "' " + wrong);
@@ -156,11 +177,20 @@ void OptionList::load(const Ini& ini, const std::string& section,
     }
 }
 
+std::optional<std::string> OptionList::printedFor(const Option& option, const Ini& ini,
+                                                  const std::string& section)
+{
+    const std::string value = ini.value(section, option.key);
+    const auto written = ini.written(section, option.key);
+    if (!option.isText || value == written) return std::nullopt;
+    return written.value_or(option.ofMaps(value) ? value : "");
+}
+
 void OptionList::print(std::ostream& out, const std::string& section) const
 {
     out << "[" << section << "]\n";
     for (const Option& o : m_options) {
-        out << "# " << o.comment << "\n" << o.key << " = " << o.print() << "\n";
+        out << "# " << o.comment << "\n" << o.key << " = " << o.printed.value_or(o.print()) << "\n";
     }
 }
 }  // namespace voxeland

@@ -70,7 +70,8 @@ void CDnnConverter::declareOptions(OptionList& options)
                 "Of boxes of a class with a greater intersection over union, the best is kept");
     options.add("mask_threshold", m_limits.mask, {0.01, 0.99},
                 "Least probability of a pixel of a mask");
-    options.add("classes", m_classes, "Names of the classes to use, with commas; empty: all");
+    options.add("classes", m_classes, "Names of the classes to use, with commas; empty: all",
+                OptionList::anyValue);
     options.add("top_classes", m_topClasses, {0, 1e6},
                 "Keep so many of the most probable classes of each detection; 0: all");
     options.add("backend", m_device.backend, backendWords(), "What runs the network");

@@ -21,7 +21,8 @@ namespace voxeland
 /** The semantic voxel map as MRPT knows maps: owns the map and what fills it. MRPT's programs make
  * one where their INI says `voxelandMap_count = 1`; section `<prefix>_voxelandMap_00_creationOpts`
  * may name a map to begin with (`load = file.voxeland`) and a whole Voxeland INI (`config =
- * file.ini`; without it, that of the loaded map or the defaults), and sections
+ * file.ini`; without it, that of the loaded map as far as it may choose, see OptionList, or the
+ * defaults), and sections
  * `<prefix>_voxelandMap_00_map`, `..._converter`, `..._likelihoodOpts` and so on set single keys.
  * Likelihoods are as the loaded map's options say, but for those keys. Unknown keys and sections
  * are a ConfigurationError.
@@ -69,8 +70,9 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
      * another resolution or occupancy model */
     void setConfig(const MapperConfig& config);
 
-    /** What fills the map, made from the configuration when first needed.
-     *  \throws PluginError, ConfigurationError */
+    /** What fills the map, made from the configuration when first needed. That of a map that was
+     * read counts as far as a map may choose, see OptionList, unless it is one that was set in this
+     * process; what is left out is told once on stderr. \throws PluginError, ConfigurationError */
     const SemanticMapper& mapper();
     /** Chooses the place of an empty map in the world, see SemanticVoxelMap::placeNear(). Comes
      * before the first frame. \param pose of its robot, in the world */
@@ -137,8 +139,8 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** @} */
 
     MAP_DEFINITION_START(CVoxelandMap)
-    std::string load;                  //!< map file to begin with; empty: none
-    std::string ini;                   //!< text of the Voxeland INI
+    std::string load;                            //!< map file to begin with; empty: none
+    std::shared_ptr<const MapperConfig> config;  //!< null: all defaults
     LikelihoodOptions likelihoodOpts;  //!< section `<prefix>_voxelandMap_00_likelihoodOpts`
     MAP_DEFINITION_END(CVoxelandMap)
 

@@ -9,6 +9,7 @@
 #include "voxeland/plugins/COpinionConverter.h"
 #include "voxeland/plugins/Ini.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -69,9 +70,21 @@ struct RefinementOptions
 class MapperConfig
 {
  public:
-    /** \throws ConfigurationError, or PluginError if a plugin cannot be used; either way with all
+    /** What it is for: to map, or to ask about a map, for which the converter and the association
+     * are not started and, if a map names them, need not exist. */
+    enum class Purpose
+    {
+        mapping,
+        asking
+    };
+    using Tell = std::function<void(const std::string& sentence)>;
+
+    /** \param tell gets what was left out of the configuration that a map holds, see OptionList, in
+     *  one sentence; null: nobody does
+     *  \throws ConfigurationError, or PluginError if a plugin cannot be used; either way with all
      * problems of all sections in one message */
-    explicit MapperConfig(const Ini& ini = Ini());
+    explicit MapperConfig(const Ini& ini = Ini(), Purpose purpose = Purpose::mapping,
+                          const Tell& tell = nullptr);
 
     /** Names of all sections an INI may have. */
     static const std::vector<std::string>& sections();
@@ -81,8 +94,8 @@ class MapperConfig
     IntegrationOptions integration;
     RefinementOptions refinement;
     DisambiguationOptions disambiguation;
-    std::shared_ptr<const COpinionConverter> converter;
-    std::shared_ptr<const CAssociationPolicy> association;
+    std::shared_ptr<const COpinionConverter> converter;     //!< for asking maybe null
+    std::shared_ptr<const CAssociationPolicy> association;  //!< likewise
     /** Configured, but not started: mapping does without it. */
     std::shared_ptr<CDisambiguator> disambiguator;
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,10 +15,19 @@ class Ini;
 
 /** The options of one INI section: each with its key, the variable it sets (whose value beforehand
  * is the default), unit and explanation. The one place where keys are listed, read, checked and
- * printed. Holds references to the variables. */
+ * printed. Holds references to the variables.
+ *
+ *  It is also the one place that decides what the configuration stored in a map may say: numbers,
+ * words of a list, and no text (which may name a file, a server, a library) unless it is declared
+ * harmless. What a map says beyond that is left alone, see leftToUser(). */
 class OptionList
 {
  public:
+    /** Tells the values of an option that a map may choose; any user may choose any. */
+    using OfMaps = bool (*)(const std::string& value);
+    static bool anyValue(const std::string&) { return true; }
+    static bool noValue(const std::string&) { return false; }
+
     /** Closed range of allowed values. */
     struct Range
     {
@@ -25,8 +35,13 @@ class OptionList
         double most = std::numeric_limits<double>::infinity();
     };
 
-    void add(const std::string& key, std::string& variable, const std::string& comment);
-    void add(const std::string& key, bool& variable, const std::string& comment);
+    /** \param ofMaps noValue for what is a file, a server, a command or the like; anyValue for
+     *  mere names */
+    void add(const std::string& key, std::string& variable, const std::string& comment,
+             OfMaps ofMaps = noValue);
+    /** \param ofMaps noValue for what protects the user */
+    void add(const std::string& key, bool& variable, const std::string& comment,
+             OfMaps ofMaps = anyValue);
     void add(const std::string& key, int& variable, const Range& range, const std::string& comment);
     void add(const std::string& key, uint32_t& variable, const Range& range,
              const std::string& comment);
@@ -65,10 +80,15 @@ class OptionList
     /** Sets the variables that `section` of the INI names, and adds a sentence to `problems` for
      * every value that is malformed or out of range, and for every unknown key (with the nearest
      * known one). */
-    void load(const Ini& ini, const std::string& section, std::vector<std::string>& problems) const;
+    void load(const Ini& ini, const std::string& section, std::vector<std::string>& problems);
+
+    /** What a map said and load() left alone, as `[section] key = 'value'`: it is the user's to
+     *  say. Without what is the default anyway. */
+    [[nodiscard]] const std::vector<std::string>& leftToUser() const { return m_leftToUser; }
 
     /** Prints the section with all keys, current values and comments, as an INI that can be read
-     * back. */
+     * back. Texts are printed as they were written, with the environment's variables by name; those
+     * of which that is not known, only as far as a map may say them. */
     void print(std::ostream& out, const std::string& section) const;
 
  private:
@@ -81,15 +101,21 @@ class OptionList
         std::string key, comment;
         Printer print;
         Parser parse;
+        OfMaps ofMaps;
+        bool isText;
+        std::optional<std::string> printed = std::nullopt;  //!< instead of the value
     };
 
     void addText(const std::string& key, Printer print, Parser parse, const std::string& comment);
+    /** What to print instead of a text's value, if anything. */
+    static std::optional<std::string> printedFor(const Option& option, const Ini& ini,
+                                                 const std::string& section);
     template <typename Number>
     void addNumber(const std::string& key, Number& variable, const Range& range,
                    const std::string& comment);
 
     std::vector<Option> m_options;
-    std::vector<std::string> m_retired;
+    std::vector<std::string> m_retired, m_leftToUser;
 };
 
 /** Of some words the one most like a misspelt one; empty if none is near. */

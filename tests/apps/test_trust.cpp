@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** A map file is data: what its stored configuration may not make programs do. */
+#include "support/RunProgram.h"
+#include "support/SmallRawlog.h"
+#include "support/StoredConfiguration.h"
+#include "support/TestFiles.h"
+#include "support/VisionServer.h"
+#include "voxeland/errors.h"
+#include "voxeland/metric_map/CVoxelandMap.h"
+#include "voxeland/metric_map/MapFile.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt/maps/CMultiMetricMap.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
+#include <cstdlib>
+
+using namespace voxeland;
+namespace fs = std::filesystem;
+
+namespace
+{
+const std::string MODULES = VOXELAND_TEST_MODULES, SECRET = "sk-Secret-0123456789";
+
+bool has(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+/** A rawlog, and a map that was made from it. */
+class Trust : public testing::Test
+{
+ protected:
+    Trust()
+    {
+        setenv("VOXELAND_TEST_MARK", file("mark").c_str(), 1);
+        setenv("VOXELAND_TEST_SECRET", SECRET.c_str(), 1);
+        setenv("no_proxy", "127.0.0.1", 1);
+        test::writeRawlog(file("r.rawlog"), test::smallFrames(8), true);
+    }
+
+    [[nodiscard]] std::string file(const std::string& name) const { return m_folder.file(name); }
+    [[nodiscard]] bool wasLoaded() const { return fs::exists(file("mark")); }
+
+    [[nodiscard]] test::ProgramResult map(const std::vector<std::string>& more = {}) const
+    {
+        std::vector<std::string> arguments = {"-i", file("r.rawlog"), "-o", file("m.voxeland")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return test::runProgram("rawlog2voxeland", arguments);
+    }
+    /** m.voxeland, made by someone who likes it to say this. */
+    void forge(const std::string& configuration) const
+    {
+        const auto mapped = map();
+        ASSERT_EQ(mapped.exitCode, 0) << mapped.errors;
+        test::forgeConfiguration(file("m.voxeland"), configuration);
+    }
+    [[nodiscard]] test::ProgramResult resume(const std::vector<std::string>& more = {}) const
+    {
+        std::vector<std::string> arguments = {
+            "-i", file("r.rawlog"), "-o", file("n.voxeland"), "--resume", file("m.voxeland")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return test::runProgram("rawlog2voxeland", arguments);
+    }
+
+    test::TemporaryFolder m_folder;
+};
+
+/** What an MRPT program makes of its INI. */
+mrpt::maps::CMultiMetricMap mapsOf(const std::string& sections)
+{
+    const mrpt::config::CConfigFileMemory ini("[maps]\nvoxelandMap_count = 1\n" + sections);
+    mrpt::maps::TSetOfMetricMapInitializers definitions;
+    definitions.loadFromConfigFile(ini, "maps");
+    return mrpt::maps::CMultiMetricMap(definitions);
+}
+
+void insertFrame(mrpt::maps::CMetricMap& map)
+{
+    const auto frame = test::smallFrames(1)[0];
+    const mrpt::poses::CPose3D pose(frame.pose->pose.mean);
+    map.insertObservation(*frame.instances, pose);
+    map.insertObservation(*frame.scan, pose);
+}
+
+std::string complaint(const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const std::exception& e) {
+        return e.what();
+    }
+    return "none";
+}
+}  // namespace
+
+TEST_F(Trust, AMapDoesNotNameALibrary)
+{
+    setenv("VOXELAND_PLUGIN_PATH", MODULES.c_str(), 1);
+    for (const std::string library : {MODULES + "/marking_plugin.so", std::string("marking_plugin"),
+                                      fs::relative(MODULES).string() + "/marking_plugin.so"})
+    {
+        const std::string own = "plugin = " + library + "\nclass = CTestAssociation\n";
+        forge("[association]\n" + own);
+        const auto refused = resume();
+        EXPECT_EQ(refused.exitCode, 2) << library;
+        for (const char* part : {"'CTestAssociation'", "[association]", "--set", "marking_plugin"})
+            EXPECT_TRUE(has(refused.errors, part)) << refused.errors;
+
+        // A class that is there goes on without the library.
+        const std::string plugin = "plugin = " + library + "\n";
+        forge("[converter]\n" + plugin + "[association]\nclass = CEvidentialAssociation\n" +
+              plugin + "[disambiguation]\n" + plugin);
+        const auto resumed = resume();
+        EXPECT_EQ(resumed.exitCode, 0) << resumed.errors;
+        for (const char* section : {"converter", "association"})
+            EXPECT_TRUE(has(resumed.errors, std::string("[") + section + "] plugin = "));
+        const auto asked = test::runProgram(
+            "voxeland-disambiguate",
+            {"-m", file("m.voxeland"), "-i", file("r.rawlog"), "--dry-run", file("q")});
+        EXPECT_TRUE(has(asked.errors, "[disambiguation] plugin = ")) << asked.errors;
+        EXPECT_FALSE(wasLoaded()) << library;
+    }
+    // But the user may.
+    forge("[association]\nplugin = x\nclass = CTestAssociation\npatience = 7\n");
+    const auto resumed = resume({"--set", "association.plugin=marking_plugin"});
+    EXPECT_EQ(resumed.exitCode, 0) << resumed.errors;
+    EXPECT_TRUE(wasLoaded());
+    unsetenv("VOXELAND_PLUGIN_PATH");
+}
+
+TEST_F(Trust, NorDoesItInAnMrptProgram)
+{
+    const std::string plugin = MODULES + "/marking_plugin.so";
+    forge("[association]\nclass = CTestAssociation\nplugin = " + plugin + "\n");
+    const std::string load =
+        "[maps_voxelandMap_00_creationOpts]\nload = " + file("m.voxeland") + "\n";
+    EXPECT_TRUE(has(complaint([&] { mapsOf(load); }), "'CTestAssociation'"));
+    const auto loaded = loadMap(file("m.voxeland"));
+    EXPECT_TRUE(has(complaint([&] { insertFrame(*loaded); }), "'CTestAssociation'"));
+    EXPECT_FALSE(wasLoaded());
+
+    // The user's own INI may, and what MRPT copies of such a map is not doubted again.
+    auto maps = mapsOf(load + "[maps_voxelandMap_00_association]\nplugin = " + plugin + "\n");
+    EXPECT_TRUE(wasLoaded());
+    auto copy = maps;
+    EXPECT_EQ(complaint([&] { insertFrame(copy); }), "none");
+}
+
+TEST_F(Trust, AMapNamesNoFilesToOpen)
+{
+    forge(
+        "[converter]\nclass = CDnnConverter\nmodel = /etc/hostname\nlabels = /etc/passwd\n"
+        "[voxeland]\npose_source = tum:/etc/passwd\n");
+    const auto network = resume();
+    EXPECT_EQ(network.exitCode, 1);
+    for (const char* part : {"model = '/etc/hostname'", "labels = '/etc/passwd'",
+                             "pose_source = 'tum:/etc/passwd'", "--set"})
+        EXPECT_TRUE(has(network.errors, part)) << network.errors;
+
+    forge("[voxeland]\npose_source = tum:/etc/passwd\ndepth_sensor_label = camera\n");
+    const auto poses = resume();
+    EXPECT_EQ(poses.exitCode, 0) << poses.errors;
+    EXPECT_TRUE(has(poses.errors, "pose_source")) << poses.errors;
+    EXPECT_FALSE(has(poses.errors, "depth_sensor_label")) << poses.errors;
+}
+
+TEST_F(Trust, AMapExpandsNothing)
+{
+    forge(
+        "@define KEY $env{VOXELAND_TEST_SECRET}\n[voxeland]\n"
+        "depth_sensor_label = $env{VOXELAND_TEST_SECRET}\ninstances_sensor_label = ${KEY}\n"
+        "[map]\nprior_strength = $eval{1+2}\nmissed_share = 0.25\n");
+    const auto dumped = resume({"--dump-config"});
+    EXPECT_EQ(dumped.exitCode, 0) << dumped.errors;
+    EXPECT_FALSE(has(dumped.output + dumped.errors, SECRET)) << dumped.output;
+    EXPECT_TRUE(has(dumped.output, "missed_share = 0.25")) << dumped.output;
+    EXPECT_FALSE(has(dumped.output, "prior_strength = 3")) << dumped.output;
+    EXPECT_TRUE(has(dumped.errors, "$env{VOXELAND_TEST_SECRET}")) << dumped.errors;
+}
+
+TEST_F(Trust, WhatTheUsersIniExpandsIsNotStored)
+{
+    test::writeFile(file("own.ini"),
+                    "@define KEY $env{VOXELAND_TEST_SECRET}\n@define HALF 0.5\n"
+                    "[disambiguation]\nclass = CChatCompletionsDisambiguator\n"
+                    "model = ${KEY}\nextra_body = {\"key\": \"$env{VOXELAND_TEST_SECRET}\"}\n"
+                    "[map]\nmissed_share = $eval{HALF/2}\n");
+    const auto mapped = map({"-c", file("own.ini")});
+    ASSERT_EQ(mapped.exitCode, 0) << mapped.errors;
+    const std::string content = test::contentOfMap(file("m.voxeland"));
+    EXPECT_FALSE(has(content, SECRET));
+    EXPECT_TRUE(has(content, "model = $env{VOXELAND_TEST_SECRET}\n"));
+    EXPECT_TRUE(has(content, "extra_body = {\"key\": \"$env{VOXELAND_TEST_SECRET}\"}\n"));
+    EXPECT_TRUE(has(content, "missed_share = 0.25\n"));
+}
+
+TEST_F(Trust, NorIsWhatAnMrptProgramExpands)
+{
+    auto maps = mapsOf(
+        "[maps_voxelandMap_00_disambiguation]\nclass = "
+        "CChatCompletionsDisambiguator\nmodel = $env{VOXELAND_TEST_SECRET}\n");
+    insertFrame(maps);
+    saveMap(*maps.mapByClass<CVoxelandMap>(), file("m.voxeland"));
+    const std::string content = test::contentOfMap(file("m.voxeland"));
+    EXPECT_TRUE(has(content, "class = CChatCompletionsDisambiguator\n"));
+    EXPECT_FALSE(has(content, SECRET));
+}
+
+TEST_F(Trust, AMapNamesNoServerAndNoKey)
+{
+    const fs::path requests = m_folder.path() / "requests";
+    fs::create_directory(requests);
+    const test::VisionServer server(requests.string());
+    const auto simulated = test::runProgram(
+        "voxeland-simulate", {"-o", file("r.rawlog"), "--seed", "1", "--rooms", "1", "--frames",
+                              "60", "--width", "320", "--height", "240", "--paint"});
+    ASSERT_EQ(simulated.exitCode, 0) << simulated.errors;
+    forge("[disambiguation]\nclass = CChatCompletionsDisambiguator\nbase_url = " + server.url() +
+          "\nmodel = $env{VOXELAND_TEST_SECRET}\napi_key_env = VOXELAND_TEST_SECRET\n"
+          "extra_body = {\"sent\": true}\nsend_key_unencrypted = true\nca_file = /etc/passwd\n"
+          "prompt = /etc/passwd\nretries = 0\n");
+    const auto ask = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"-m", file("m.voxeland"),    "-i", file("r.rawlog"),
+                                              "-o", file("asked.voxeland")};
+        for (const std::string& setting : more)
+            arguments.insert(arguments.end(), {"--set", "disambiguation." + setting});
+        return test::runProgram("voxeland-disambiguate", arguments);
+    };
+    const auto refused = ask({});
+    EXPECT_EQ(refused.exitCode, 1);
+    for (const char* key : {"base_url", "api_key_env", "extra_body", "--set"})
+        EXPECT_TRUE(has(refused.errors, key)) << refused.errors;
+    EXPECT_TRUE(fs::is_empty(requests));
+
+    const auto asked = ask({"base_url=" + server.url(), "model=m"});
+    EXPECT_EQ(asked.exitCode, 0) << asked.errors;
+    ASSERT_FALSE(fs::is_empty(requests));
+    for (const auto& entry : fs::directory_iterator(requests)) {
+        EXPECT_EQ(entry.path().extension(), ".json") << "no key is sent";
+        const std::string request = test::readFile(entry.path());
+        EXPECT_FALSE(has(request, SECRET) || has(request, "\"sent\"") || has(request, "root:"));
+    }
+}
