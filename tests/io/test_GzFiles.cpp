@@ -5,6 +5,7 @@
 #include "voxeland/io/GzOutputFile.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationComment.h>
 
 #include <random>
@@ -132,5 +133,90 @@ TEST(GzInputFile, tellsAnObjectOfANewerVersionFromDamage)
         EXPECT_EQ(e.what(), folder.file("newer") +
                                 " after 0 bytes: an object of a newer version than is known here; "
                                 "was it written with a newer MRPT?");
+    }
+}
+
+namespace
+{
+/** A rawlog of one frame with an embedded JPEG picture, uncompressed. */
+std::string frameWithPicture()
+{
+    constexpr int WIDTH = 160, HEIGHT = 120;
+    mrpt::obs::CObservation3DRangeScan scan;
+    scan.hasIntensityImage = true;
+    scan.intensityImage.resize(WIDTH, HEIGHT, mrpt::img::CH_RGB);
+    for (int row = 0; row < HEIGHT; ++row)
+        for (int column = 0; column < WIDTH; ++column)
+            scan.intensityImage.setPixel(
+                column, row,
+                mrpt::img::TColor(static_cast<uint8_t>(column), static_cast<uint8_t>(row), 90));
+    const TemporaryFolder folder;
+    GzOutputFile out(folder.file("a.rawlog"), 0);
+    mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(false);
+    out.writeObject(scan);
+    mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(true);
+    out.close();
+    GzInputFile in(folder.file("a.rawlog"));
+    EXPECT_TRUE(in.readObject());
+    return in.objectBytes();
+}
+}  // namespace
+
+TEST(GzInputFile, aDamagedPictureEndsNeitherTheProgramNorItsSilence)
+{
+    const std::string whole = frameWithPicture();
+    const size_t picture = whole.find("\xFF\xD8\xFF"), scan = whole.find("\xFF\xDA", picture);
+    ASSERT_NE(scan, std::string::npos);
+    const size_t end = whole.find("\xFF\xD9", scan);
+    const TemporaryFolder folder;
+    const std::string file = folder.file("a.rawlog");
+    testing::internal::CaptureStderr();
+    size_t refused = 0, damaged = 0;
+    for (size_t at = picture; at < end; ++at) {
+        std::string flipped = whole;
+        flipped[at] = static_cast<char>(flipped[at] ^ 0x10);
+        test::writeFile(file, flipped);
+        try {
+            GzInputFile in(file);
+            EXPECT_TRUE(in.readObject());
+            damaged += in.damagedPictures();
+        } catch (const InputError& e) {
+            ++refused;
+            EXPECT_NE(std::string(e.what()).find(file), std::string::npos) << e.what();
+        }
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_GT(refused, 10U);
+    EXPECT_GT(damaged, 10U);
+}
+
+TEST(GzInputFile, whatASizeInAFileSaysIsNotReserved)
+{
+    mrpt::obs::CObservation3DRangeScan scan;
+    scan.hasPoints3D = true;
+    scan.resizePoints3DVectors(0x1234);
+    const TemporaryFolder folder;
+    const std::string file = folder.file("a.rawlog");
+    {
+        GzOutputFile out(file, 0);
+        out.writeObject(scan);
+        out.close();
+    }
+    std::string bytes;
+    {
+        GzInputFile in(file);
+        ASSERT_TRUE(in.readObject());
+        bytes = in.objectBytes();
+    }
+    const size_t size = bytes.find(std::string("\x34\x12\0\0", 4));
+    ASSERT_NE(size, std::string::npos);
+    bytes.replace(size, 4, "\xFF\xFF\xFF\x7F");  // 24 GB of points
+    test::writeFile(file, bytes);
+    GzInputFile in(file);
+    try {
+        (void)in.readObject();
+        FAIL();
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("more memory than"), std::string::npos) << e.what();
     }
 }

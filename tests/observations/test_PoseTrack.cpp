@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/PoseTrack.h"
+#include "voxeland/observations/RecordingClock.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/system/datetime.h>
@@ -105,4 +106,20 @@ TEST(PoseTrack, SeveralPosesOfOneTimeAreToldApartByTheirOrder)
     EXPECT_EQ(track.at(at(4), 7)->x, 3) << "the last";
     EXPECT_EQ(track.times().text(), "4.000 to 6.500 s");
     EXPECT_FALSE(track.at(INVALID_TIMESTAMP));
+}
+
+TEST(PoseTrack, TimesMayBeAsFarApartAsTheyCanBe)
+{
+    using Time = mrpt::Clock::time_point;
+    EXPECT_EQ(secondsBetween(Time::min(), Time::max()), std::pow(2, 64) * 1e-7);
+    EXPECT_EQ(secondsBetween(at(1), at(3)), 2);
+    PoseTrack track(1);
+    track.add(Time::min(), {1, 0, 0, 0, 0, 0});
+    track.add(Time::max(), {2, 0, 0, 0, 0, 0});
+    EXPECT_FALSE(track.at(at(5)));
+    EXPECT_EQ(track.at(Time::max())->x, 2);
+    RecordingClock clock;
+    using Stream = RecordingClock::Stream;
+    for (const Time& time : {Time::max(), Time::max()}) clock.recordingOf(Stream::scans, time);
+    EXPECT_EQ(clock.recordingOf(Stream::scans, Time::min()), 1U);
 }

@@ -295,3 +295,17 @@ TEST(VoxelizedFrame, ACameraOfAnotherSizeIsRefused)
     scan->cameraParams.cx(0.2 * test::COLUMNS);  // cut out of a larger image
     EXPECT_NO_THROW(VoxelizedFrame({scan, nullptr, {}}, 0.05, {}));
 }
+
+TEST(VoxelizedFrame, AnEmptyDepthImageIsRefused)
+{
+    const auto scan = makeScan([](int, int) { return 1.0; });
+    scan->rangeImage_setSize(0, 0);
+    scan->cameraParams.ncols = scan->cameraParams.nrows = 0;
+    scan->hasIntensityImage = true;
+    scan->cameraParamsIntensity = makeScan([](int, int) { return 1.0; })->cameraParams;
+    const RgbdFrame frame{scan,
+                          test::makePredictions({test::prediction(
+                              test::rectangleMask(0, 0, test::COLUMNS, test::ROWS), "cup")}),
+                          CPose3D()};
+    EXPECT_THROW(VoxelizedFrame(frame, RESOLUTION, DepthLimits()), UnusableFrame);
+}

@@ -86,7 +86,9 @@ std::map<int64_t, fs::path> numberedFiles(const fs::path& folder, const std::reg
 
 mrpt::Clock::time_point timeOfFrame(double start, int64_t number)
 {
-    const auto ticks = number * mrpt::Clock::period::den / FRAMES_PER_SECOND;
+    constexpr auto TICKS = mrpt::Clock::period::den;
+    const auto ticks =
+        number / FRAMES_PER_SECOND * TICKS + number % FRAMES_PER_SECOND * TICKS / FRAMES_PER_SECOND;
     return mrpt::Clock::fromDouble(start) + mrpt::Clock::duration(ticks);
 }
 

@@ -55,7 +55,7 @@ ReplicaReader::ReplicaReader(const std::string& folder, const DatasetOptions& op
     : RgbdDatasetReader(options), m_folder(folder)
 {
     checkFolder(folder);
-    static const std::regex COLOUR(R"(frame(\d{1,15})\.(?:jpg|png))");
+    static const std::regex COLOUR(R"(frame(\d{1,12})\.(?:jpg|png))");
     std::vector<DatasetFrame> frames;
     for (const auto& [number, file] : numberedFiles(m_folder / "results", COLOUR))
         frames.push_back({number, "results/" + file.filename().string()});

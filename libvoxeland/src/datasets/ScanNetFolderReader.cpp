@@ -22,7 +22,7 @@ ScanNetFolderReader::ScanNetFolderReader(const std::string& folder, const Datase
     : RgbdDatasetReader(options), m_folder(folder)
 {
     checkFolder(folder);
-    static const std::regex COLOUR(R"((\d{1,15})\.(?:jpg|png))");
+    static const std::regex COLOUR(R"((\d{1,12})\.(?:jpg|png))");
     std::vector<DatasetFrame> frames;
     for (const auto& [number, file] : numberedFiles(m_folder / "color", COLOUR))
         frames.push_back({number, "color/" + file.filename().string()});

@@ -58,7 +58,7 @@ bool isRecording(const fs::path& path)
 SceneNNReader::SceneNNReader(const std::string& folder, const DatasetOptions& options)
     : RgbdDatasetReader(options), m_folder(folder)
 {
-    static const std::regex COLOUR(R"(image(\d{1,15})\.png)");
+    static const std::regex COLOUR(R"(image(\d{1,12})\.png)");
     std::vector<DatasetFrame> frames;
     for (const auto& [number, file] : numberedFiles(m_folder / "image", COLOUR))
         frames.push_back({number, "image/" + file.filename().string()});

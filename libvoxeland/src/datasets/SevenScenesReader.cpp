@@ -25,7 +25,7 @@ const PinholeCamera DEFAULT_CAMERA = {585, 585, 320, 240, {}, RECORDED};
 std::map<int64_t, fs::path> findFrames(const fs::path& folder)
 {
     static const std::regex PATTERN(
-        R"(frame-(\d{1,15})\.(?:color\.png|color\.jpg|depth\.png|pose\.txt))");
+        R"(frame-(\d{1,12})\.(?:color\.png|color\.jpg|depth\.png|pose\.txt))");
     auto frames = numberedFiles(folder, PATTERN);
     for (auto& [number, path] : frames) {
         const std::string name = path.filename().string();

@@ -105,13 +105,14 @@ AnswerTokens withoutTags(const AnswerTokens& tokens, const CandidateNames& names
 {
     using Kind = AnswerToken::Kind;
     AnswerTokens result;
+    bool anyWord = false;
+    size_t looked = 0;
     for (const AnswerToken& token : tokens) {
         if (token.kind != Kind::tag) {
             result.push_back(token);
             continue;
         }
-        const bool anyWord = std::any_of(result.begin(), result.end(),
-                                         [](const AnswerToken& t) { return t.isWord(); });
+        for (; looked < result.size(); ++looked) anyWord = anyWord || result[looked].isWord();
         if (anyWord && isIn(TURN_ENDS, token.text)) break;
         AnswerTokens meant = tokensOf(token.text);
         if (!names.contain(token.text)) {
@@ -388,6 +389,8 @@ std::optional<category_id_t> categoryNamedBy(const std::string& answer,
                                              const std::vector<RankedCategory>& candidates)
 {
     const CandidateNames names(candidates);
-    return Reading(withoutTags(tokensOf(withoutThoughts(answer)), names), names).category();
+    std::string text = withoutThoughts(answer);
+    if (text.size() > LONGEST_ANSWER) text.erase(0, text.size() - LONGEST_ANSWER);
+    return Reading(withoutTags(tokensOf(text), names), names).category();
 }
 }  // namespace voxeland

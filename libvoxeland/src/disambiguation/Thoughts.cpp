@@ -37,24 +37,29 @@ std::string lower(std::string text)
 }
 
 /** Erases what stands between the marks, and a beginning that has only an end. */
-void eraseThoughts(std::string& text, const std::string& begin, const std::string& end)
+std::string withoutThoughts(const std::string& text, const std::string& begin,
+                            const std::string& end)
 {
-    std::string searched = lower(text);
-    const auto erase = [&](size_t from, size_t to) {
-        text.replace(from, to - from, "\n");
-        searched.replace(from, to - from, "\n");
-    };
-    for (size_t to = searched.find(end); to != std::string::npos; to = searched.find(end)) {
-        const size_t from = searched.find(begin);
-        erase(from < to ? from : 0, to + end.size());
+    const std::string searched = lower(text);
+    std::string rest;
+    size_t at = 0, from = searched.find(begin);
+    for (size_t to = searched.find(end); to != std::string::npos; to = searched.find(end, at)) {
+        if (from < at) from = searched.find(begin, at);
+        if (from < to)
+            rest.append(text, at, from - at);
+        else
+            rest.clear();
+        rest += '\n';
+        at = to + end.size();
     }
+    return rest.append(text, at);
 }
 }  // namespace
 
 std::string withoutThoughts(const std::string& answer)
 {
     std::string text = answer;
-    for (const auto& [begin, end] : MARKS) eraseThoughts(text, begin, end);
+    for (const auto& [begin, end] : MARKS) text = withoutThoughts(text, begin, end);
     for (const auto& [begin, end] : MARKS)
         text.resize(std::min(text.size(), lower(text).find(begin)));
     return trimmed(text);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/GzInputFile.h"
 
+#include "../files/PictureDecoders.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 
 #include <mrpt/serialization/CArchive.h>
 
@@ -9,6 +11,10 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <new>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <zlib.h>
 
 namespace fs = std::filesystem;
@@ -24,8 +30,47 @@ std::string reason(const std::string& what)
     if (says("not registered")) return "an object of a class that is not known here";
     if (says("unknown serialization version"))
         return "an object of a newer version than is known here; was it written with a newer MRPT?";
+    if (says("JPEG")) return "a picture in it is damaged";
     return "the file is damaged or not of MRPT objects";
 }
+
+/** Memory that an object of a file may take, and how many times the file's size if that is more
+ *  [bytes]. */
+constexpr uint64_t LARGEST_OBJECT = uint64_t{1} << 30, LARGEST_RATIO = 50;
+
+/** Memory that this program has reserved [bytes]. */
+uint64_t memoryReserved()
+{
+    std::ifstream in("/proc/self/statm");
+    uint64_t pages = 0;
+    in >> pages;
+    return pages * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+/** Keeps the program from reserving more memory than this while it lives: MRPT's classes take the
+ *  memory for what the sizes in a file say before they read it. */
+class MemoryLimit
+{
+ public:
+    explicit MemoryLimit(uint64_t bytes)
+    {
+        const uint64_t reserved = memoryReserved();
+        if (reserved == 0 || getrlimit(RLIMIT_AS, &m_before) != 0) return;
+        rlimit limit = m_before;
+        limit.rlim_cur = std::min<rlim_t>(m_before.rlim_cur, reserved + bytes);
+        m_isSet = setrlimit(RLIMIT_AS, &limit) == 0;
+    }
+    ~MemoryLimit()
+    {
+        if (m_isSet) setrlimit(RLIMIT_AS, &m_before);
+    }
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+ private:
+    rlimit m_before{};
+    bool m_isSet = false;
+};
 }  // namespace
 
 GzInputFile::GzInputFile(const std::string& file) : m_name(file)
@@ -34,10 +79,9 @@ GzInputFile::GzInputFile(const std::string& file) : m_name(file)
     if (fs::is_directory(file, error))
         throw InputError(
             file + " is a folder, not a file: rgbd2rawlog makes a rawlog of a folder of images");
+    m_fileSize = checkInputFile(file, "the file");
     m_file = gzopen(file.c_str(), "rb");
     if (!m_file) throw InputError("cannot open " + file + ": " + std::strerror(errno));
-    m_fileSize = fs::file_size(file, error);
-    if (error) m_fileSize = 0;
 }
 
 GzInputFile::~GzInputFile()
@@ -49,12 +93,17 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
 {
     m_objectBytes.clear();
     const std::string where = m_name + " after " + std::to_string(m_position) + " bytes";
+    const uint64_t damagedBefore = voxeland::damagedPictures();
     try {
+        const MemoryLimit limit(std::max(LARGEST_OBJECT, LARGEST_RATIO * m_fileSize));
         const auto object = mrpt::serialization::archiveFrom(*this).ReadObject();
+        m_damagedPictures += voxeland::damagedPictures() - damagedBefore;
         updateProgress();
         return object;
     } catch (const std::bad_alloc&) {
-        throw;
+        throw InputError(where +
+                         ": an object takes more memory than this program may use: the file is "
+                         "damaged, or memory is short");
     } catch (const std::exception& e) {
         if (m_objectBytes.empty() && gzeof(m_file)) {
             int state = Z_OK;

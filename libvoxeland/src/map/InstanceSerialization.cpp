@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstanceSerialization.h"
 
+#include "../base/Reading.h"
+
 #include <mrpt/serialization/stl_serialization.h>
 
 #include <cstdlib>
@@ -34,12 +36,12 @@ void write(CArchive& out, const InstanceView& v)
 InstanceView readView(CArchive& in)
 {
     InstanceView v;
-    in >> v.frame >> v.time >> v.box.x >> v.box.y >> v.box.width >> v.box.height >> v.area >>
-        v.truncated >> v.score >> v.probability;
+    in >> v.frame >> v.time >> v.box.x >> v.box.y >> v.box.width >> v.box.height >> v.area;
+    v.truncated = readTruth(in);
+    in >> v.score >> v.probability;
     v.camera = readPoint(in);
     v.target = readPoint(in);
-    if (!v.isPossible())
-        throw std::runtime_error("corrupt map: a view with impossible numbers");
+    if (!v.isPossible()) throw std::runtime_error("corrupt map: a view with impossible numbers");
     return v;
 }
 
@@ -77,8 +79,10 @@ Decision readDecision(CArchive& in, const CategoryTable& categories)
     in >> d.category;
     if (d.category != UNKNOWN_CATEGORY_ID) checkCategory(d.category, categories);
     d.evidence = readEvidence<double>(in);
-    in >> d.source >> d.model >> d.answer >> d.time >> d.seconds >> d.promptTokens >>
-        d.answerTokens >> d.cost >> d.questions;
+    d.source = readText(in);
+    d.model = readText(in);
+    d.answer = readText(in);
+    in >> d.time >> d.seconds >> d.promptTokens >> d.answerTokens >> d.cost >> d.questions;
     return d;
 }
 

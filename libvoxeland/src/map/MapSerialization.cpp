@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../base/Reading.h"
 #include "InstanceSerialization.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
@@ -27,9 +28,10 @@ void write(CArchive& out, const MapOptions& o)
 MapOptions readOptions(CArchive& in, uint8_t version)
 {
     MapOptions o;
-    std::string entropy;
     in >> o.resolution >> o.membership >> o.occupancy.prob_hit >> o.occupancy.prob_miss >>
-        o.occupancy.prob_min >> o.occupancy.prob_max >> o.prior_strength >> entropy >> o.views_kept;
+        o.occupancy.prob_min >> o.occupancy.prob_max >> o.prior_strength;
+    const std::string entropy = readText(in);
+    in >> o.views_kept;
     if (version < 2) in.ReadAs<uint32_t>();  // categories that kept views
     o.entropy = entropyMeasureFromString(entropy);
     return o;
@@ -113,10 +115,9 @@ void SemanticVoxelMap::readFrom(CArchive& in)
                                  " is not known: it was written by another Voxeland");
     SemanticVoxelMap read(readOptions(in, version));
     if (version > 2) read.m_origin = readOrigin(in);
-    std::vector<std::string> names;
-    in >> names >> read.m_nextInstance >> read.m_absorbed >> read.m_dismissed;
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) read.m_categories.add(readText(in));
+    in >> read.m_nextInstance >> read.m_absorbed >> read.m_dismissed;
     checkMerges(read.m_absorbed, read.m_nextInstance);
-    for (const auto& name : names) read.m_categories.add(name);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         Instance i = readInstance(in, read.m_categories, read.m_options.views_kept);
         const instance_id_t id = i.id;

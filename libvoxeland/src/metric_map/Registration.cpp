@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How MRPT's programs create a CVoxelandMap from their INI, and how it is serialized. */
+#include "../base/Reading.h"
 #include "WarnOnce.h"
 #include "voxeland/errors.h"
 #include "voxeland/joined.h"
@@ -107,9 +108,8 @@ namespace
 {
 std::optional<std::string> readCamera(mrpt::serialization::CArchive& in)
 {
-    bool isKnown = false;
-    std::string label;
-    in >> isKnown >> label;
+    const bool isKnown = readTruth(in);
+    const std::string label = readText(in);
     return isKnown ? std::optional(label) : std::nullopt;
 }
 }  // namespace
@@ -135,7 +135,8 @@ void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t vers
     if (version < OLDEST_FORMAT || version > FORMAT)
         MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
     CVoxelandMap read;
-    in >> read.m_configText >> read.m_counts.frames >> read.m_counts.framesWithoutPredictions >>
+    read.m_configText = readText(in);
+    in >> read.m_counts.frames >> read.m_counts.framesWithoutPredictions >>
         read.m_counts.framesWithoutPose >> read.m_counts.predictionsWithoutFrame >>
         read.m_counts.opinions >> read.m_counts.merges >> read.m_counts.splits;
     read.m_map.edit().readFrom(in);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/CObservationInstances.h"
 
+#include "../base/Reading.h"
 #include "voxeland/counted.h"
 
 #include <mrpt/poses/CPose3D.h>
@@ -61,16 +62,19 @@ void CObservationInstances::serializeTo(mrpt::serialization::CArchive& out) cons
 void CObservationInstances::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
 {
     if (version != 0) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
-    in >> timestamp >> sensorLabel >> sensorPoseOnRobot >> imageWidth >> imageHeight;
+    in >> timestamp;
+    sensorLabel = readText(in);
+    in >> sensorPoseOnRobot >> imageWidth >> imageHeight;
     instances.clear();
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         InstancePrediction i;
-        std::vector<uint32_t> runs;
-        in >> runs >> i.score >> i.box.x >> i.box.y >> i.box.width >> i.box.height >> i.track;
+        auto runs = readValues<std::vector<uint32_t>>(in, RunLengthMask::MOST_PIXELS + 1);
+        in >> i.score >> i.box.x >> i.box.y >> i.box.width >> i.box.height >> i.track;
         i.mask = RunLengthMask(imageWidth, imageHeight, std::move(runs));
         for (auto c = in.ReadAs<uint32_t>(); c > 0; --c) {
             CategoryProbability category;
-            in >> category.name >> category.probability;
+            category.name = readText(in);
+            in >> category.probability;
             i.categories.push_back(std::move(category));
         }
         instances.push_back(std::move(i));

@@ -37,6 +37,7 @@ void checkDepthImage(const CObservation3DRangeScan& scan)
                             " has no depth image: only scans with one can be mapped");
     const auto& image = scan.rangeImage;
     const TCamera& camera = scan.cameraParams;
+    if (image.size() == 0) throw UnusableFrame(frameName(scan) + " has an empty depth image");
     if (image.cols() != static_cast<int>(camera.ncols) ||
         image.rows() != static_cast<int>(camera.nrows))
         throw UnusableFrame(frameName(scan) + " has a depth image of " +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/FrameAssembler.h"
 
+#include "../base/Reading.h"
 #include "voxeland/numbers.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -258,7 +259,8 @@ void FrameAssembler::forgetOldPoses(const Moment& moment)
     // Sensors that share a rawlog may be out of order by a little.
     constexpr auto KEPT = std::chrono::seconds(10);
     const auto poses = m_poses.find(moment.recording);
-    if (poses != m_poses.end()) poses->second.forgetBefore(moment.time - KEPT);
+    if (poses != m_poses.end() && moment.time > mrpt::Clock::time_point::min() + KEPT)
+        poses->second.forgetBefore(moment.time - KEPT);
 }
 
 void FrameAssembler::forgetOldPredictions()
@@ -299,13 +301,13 @@ void FrameAssembler::readFrom(mrpt::serialization::CArchive& in)
     *this = FrameAssembler(patience, in.ReadAs<double>());
     in >> m_counts.framesWithoutPose >> m_counts.predictionsWithoutFrame;
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
-        const auto scan = in.ReadObject<CObservation3DRangeScan>();
-        const bool hasPose = in.ReadAs<bool>();
+        const auto scan = readObject<CObservation3DRangeScan>(in);
+        const bool hasPose = readTruth(in);
         RobotPose pose;
         in >> pose.mean;
         addScan(scan, nullptr, hasPose ? std::optional(pose) : std::nullopt);
     }
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n)
-        addInstances(in.ReadObject<CObservationInstances>());
+        addInstances(readObject<CObservationInstances>(in));
 }
 }  // namespace voxeland

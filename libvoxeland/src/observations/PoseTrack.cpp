@@ -26,13 +26,12 @@ void PoseTrack::add(const mrpt::Clock::time_point& time, const TPose3D& pose,
 std::optional<PoseTrack::Neighbours> PoseTrack::neighboursOf(const mrpt::Clock::time_point& time,
                                                              size_t nth) const
 {
-    using mrpt::system::timeDifference;
     if (time == INVALID_TIMESTAMP) return std::nullopt;
     const auto after = m_poses.lower_bound(time);
     const bool hasAfter = after != m_poses.end(), hasBefore = after != m_poses.begin();
     const auto before = hasBefore ? std::prev(after) : after;
-    const double toAfter = hasAfter ? timeDifference(time, after->first) : INFINITY;
-    const double toBefore = hasBefore ? timeDifference(before->first, time) : INFINITY;
+    const double toAfter = hasAfter ? secondsBetween(time, after->first) : INFINITY;
+    const double toBefore = hasBefore ? secondsBetween(before->first, time) : INFINITY;
     if (toAfter <= SAME_TIME && toAfter <= toBefore)
         return Neighbours{nthOf(after->first, nth), nthOf(after->first, nth), 0};
     if (toBefore <= SAME_TIME)

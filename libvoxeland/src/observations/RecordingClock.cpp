@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/RecordingClock.h"
 
+#include "voxeland/observations/TimeRange.h"
+
 #include <algorithm>
 
 namespace voxeland
@@ -8,7 +10,7 @@ namespace voxeland
 namespace
 {
 constexpr size_t REMEMBERED = 4;
-constexpr auto OUT_OF_ORDER = std::chrono::milliseconds(100);
+constexpr double OUT_OF_ORDER = 0.1;  // [s]
 }  // namespace
 
 uint32_t RecordingClock::recordingOf(Stream stream, const mrpt::Clock::time_point& time)
@@ -16,7 +18,7 @@ uint32_t RecordingClock::recordingOf(Stream stream, const mrpt::Clock::time_poin
     auto* latest = &m_latest.at(static_cast<size_t>(stream));
     if (latest->size() > 1) {
         const auto [least, greatest] = std::minmax_element(latest->begin(), latest->end());
-        if (time <= *least && time + OUT_OF_ORDER < *greatest) {
+        if (time <= *least && secondsBetween(time, *greatest) > OUT_OF_ORDER) {
             ++m_recording;
             m_latest = {};
         }

@@ -73,9 +73,9 @@ VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const 
     m_beyond = std::move(grouped.beyond);
     m_runs = std::move(grouped.runs);
     m_depths = grouped.depths;
-    const bool project = frame.instances && !camerasCoincide(scan);
-    if (project) projectIntoColour(scan);
-    const TCamera& masked = project ? maskCamera(scan) : scan.cameraParams;
+    m_isProjected = frame.instances && !camerasCoincide(scan);
+    if (m_isProjected) projectIntoColour(scan);
+    const TCamera& masked = m_isProjected ? maskCamera(scan) : scan.cameraParams;
     m_maskWidth = static_cast<int>(masked.ncols);
     m_maskHeight = static_cast<int>(masked.nrows);
 }
@@ -131,7 +131,7 @@ std::vector<std::pair<uint32_t, uint32_t>> VoxelizedFrame::pointsOf(const RunLen
         if (count[hit] == 0) points.emplace_back(hit, 0);
         count[hit] += n;
     };
-    if (m_colourOfPixel.empty()) {
+    if (!m_isProjected) {
         auto run = m_runs.begin();
         mask.forEachRun([&](uint32_t first, uint32_t last) {
             // The first run to look at lies no more runs ahead than pixels.

@@ -101,6 +101,9 @@ std::vector<std::string> RawlogFrameSource::notes() const
     std::vector<std::string> notes = m_trajectoryNotes;
     for (const LabelChoice* choice : {&m_cameras, &m_detectors, &m_poseSensors})
         choice->tell(notes);
+    if (const uint64_t damaged = m_input->damagedPictures(); damaged > 0)
+        notes.push_back(counted(damaged, "picture") +
+                        " of the rawlog damaged: parts are grey or of wrong colours");
     const auto tell = [&](const LeftOut& odd, const char* one, const char* several) {
         if (odd.count() > 0) notes.push_back(odd.told(one, several));
     };

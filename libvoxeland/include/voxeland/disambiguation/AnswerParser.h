@@ -2,12 +2,16 @@
 #pragma once
 #include "voxeland/plugins/CDisambiguator.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace voxeland
 {
+/** Of an answer that is longer without its thoughts the last part counts [bytes]. */
+constexpr size_t LONGEST_ANSWER = 16384;
+
 /** The category an answer names: one of the candidates, or UNKNOWN_CATEGORY_ID for "unknown" or
  * "none of these". It is understood as a person would, and never guessed.
  *

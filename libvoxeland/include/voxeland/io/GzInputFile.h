@@ -21,11 +21,15 @@ class GzInputFile : public mrpt::io::CStream
     GzInputFile(const GzInputFile&) = delete;
     GzInputFile& operator=(const GzInputFile&) = delete;
 
-    /** Next object, or null at the end of the file.
+    /** Next object, or null at the end of the file. What it takes of memory is limited to 1 GiB, or
+     *  50 times the size of the file.
      *  \throws InputError if the file is cut off, damaged, or holds an object of unknown class */
     mrpt::serialization::CSerializable::Ptr readObject();
     /** The object last read as it is in the file (uncompressed). */
     [[nodiscard]] const std::string& objectBytes() const { return m_objectBytes; }
+
+    /** How many of the pictures read so far are damaged: parts of them are grey or wrong. */
+    [[nodiscard]] uint64_t damagedPictures() const { return m_damagedPictures; }
 
     /** How much of the file had been read after the last object, in [0,1]. From any thread. */
     [[nodiscard]] double progress() const { return m_progress; }
@@ -50,7 +54,7 @@ class GzInputFile : public mrpt::io::CStream
     std::string m_name;
     std::string m_objectBytes;
     gzFile_s* m_file = nullptr;
-    uint64_t m_position = 0, m_fileSize = 0;
+    uint64_t m_position = 0, m_fileSize = 0, m_damagedPictures = 0;
     std::atomic<double> m_progress{0};
 };
 }  // namespace voxeland

@@ -13,10 +13,12 @@ namespace voxeland
 class RunLengthMask
 {
  public:
+    static constexpr uint64_t MOST_PIXELS = uint64_t{1} << 27;  //!< of an image: 134 million
+
     RunLengthMask() = default;
 
     /** \param runs run lengths, their sum being width*height
-     *  \throws std::invalid_argument if they do not add up, or a size is negative */
+     *  \throws std::invalid_argument if they do not add up, or a size is negative or too great */
     RunLengthMask(int width, int height, std::vector<uint32_t> runs);
 
     /** \param pixels width*height bytes, row-major; non-zero is set */

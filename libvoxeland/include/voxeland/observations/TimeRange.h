@@ -2,12 +2,27 @@
 #pragma once
 #include "voxeland/numbers.h"
 
+#include <mrpt/core/Clock.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
 
 namespace voxeland
 {
+/** Time from one to a later one, however far they are apart [s]. */
+inline double secondsBetween(const mrpt::Clock::time_point& earlier,
+                             const mrpt::Clock::time_point& later)
+{
+    const auto ticks = [](const mrpt::Clock::time_point& time) {
+        return static_cast<uint64_t>(time.time_since_epoch().count());
+    };
+    return static_cast<double>(ticks(later) - ticks(earlier)) *
+           static_cast<double>(mrpt::Clock::period::num) /
+           static_cast<double>(mrpt::Clock::period::den);
+}
+
 /** The times between a first and a last one [s since 1970, or since what a file counts from]. */
 struct TimeRange
 {

@@ -91,6 +91,7 @@ class VoxelizedFrame
     std::vector<HitVoxel> m_hits, m_beyond;
     DepthsMet m_depths;
     std::vector<PixelRun> m_runs;          //!< all depth pixels; the last one starts after them
-    std::vector<int32_t> m_colourOfPixel;  //!< depth pixel -> colour pixel or -1; empty: the same
+    bool m_isProjected = false;            //!< whether depth and colour pixels differ
+    std::vector<int32_t> m_colourOfPixel;  //!< if so: depth pixel -> colour pixel or -1
 };
 }  // namespace voxeland

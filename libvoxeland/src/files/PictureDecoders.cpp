@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** MRPT and OpenCV leave it to libjpeg and libpng what to do about a damaged picture. By default
+ *  libjpeg ends the program, and both print lines of their own. The functions with which users of
+ *  these libraries begin are defined here once more, so that this library's definition is found
+ *  first: they are those of the libraries with other defaults. */
+#include "PictureDecoders.h"
+
+#include <cstdio>
+#include <dlfcn.h>
+#include <stdexcept>
+
+// After <cstdio>, which it needs.
+#include <jpeglib.h>
+#include <png.h>
+
+namespace
+{
+thread_local uint64_t damaged = 0;
+
+/** The function of this name that would be found without this library. */
+template <typename Function>
+Function* original(const char* name, Function*)
+{
+    return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+[[noreturn]] void throwJpegError(j_common_ptr picture)
+{
+    jpeg_destroy(picture);
+    throw std::runtime_error("a JPEG picture is damaged");
+}
+
+void countJpegWarning(j_common_ptr)
+{
+    ++damaged;
+}
+
+[[noreturn]] void leavePng(png_structp png, png_const_charp)
+{
+    png_longjmp(png, 1);
+}
+
+void ignorePngWarning(png_structp, png_const_charp) {}
+}  // namespace
+
+extern "C" {
+jpeg_error_mgr* jpeg_std_error(jpeg_error_mgr* manager)
+{
+    static const auto standard = original("jpeg_std_error", &jpeg_std_error);
+    standard(manager);
+    manager->error_exit = &throwJpegError;
+    manager->output_message = &countJpegWarning;
+    return manager;
+}
+
+png_structp png_create_read_struct(png_const_charp version, png_voidp errorData,
+                                   png_error_ptr onError, png_error_ptr onWarning)
+{
+    static const auto standard = original("png_create_read_struct", &png_create_read_struct);
+    return standard(version, errorData, onError != nullptr ? onError : &leavePng,
+                    onWarning != nullptr ? onWarning : &ignorePngWarning);
+}
+}
+
+namespace voxeland
+{
+uint64_t damagedPictures()
+{
+    return damaged;
+}
+}  // namespace voxeland
