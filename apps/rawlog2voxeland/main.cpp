@@ -4,6 +4,7 @@
 #include "common/Interruption.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
+#include "common/TrustPathsArgument.h"
 #include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AnswersAsText.h"
@@ -84,6 +85,7 @@ struct Arguments : apps::CommandLine
         "",      "export-dir", "Also write PLY, JSON, CSV and pictures of the map into this folder",
         false,   "",           "DIR",
         parser()};
+    apps::TrustPathsArgument trustPaths{parser()};
     TCLAP::SwitchArg strict{"", "strict",
                             "An odd pose, or a frame whose depth image cannot be used, is an error "
                             "instead of left out and told",
@@ -153,8 +155,7 @@ void warnOf(Arguments& arguments, const MappedInput& met)
     // Right poses give 0.02 to 0.15, with much jitter 0.28; wrong ones 0.5 to 0.8.
     constexpr double MUCH = 0.4;
     constexpr uint64_t ENOUGH = 500;
-    if (met.leftOut.count() > 0)
-        arguments.warn(met.leftOut.told("frame"));
+    if (met.leftOut.count() > 0) arguments.warn(met.leftOut.told("frame"));
     const auto measured = static_cast<double>(met.depths.pixels);
     if (static_cast<double>(met.depths.used) < FEW * measured)
         arguments.warn("only " +
@@ -260,9 +261,9 @@ int makeMap(Arguments& arguments)
     std::shared_ptr<CVoxelandMap> map = std::make_shared<CVoxelandMap>();
     const bool resumes = arguments.resume.isSet();
     if (resumes) map = loadMap(arguments.resume.getValue());
-    const MapperConfig config(configuration(arguments, resumes ? map.get() : nullptr),
-                              MapperConfig::Purpose::mapping,
-                              [&](const std::string& left) { arguments.warn(left); });
+    MapperConfig config(configuration(arguments, resumes ? map.get() : nullptr),
+                        MapperConfig::Purpose::mapping,
+                        [&](const std::string& left) { arguments.warn(left); });
     if (arguments.dumpConfig.isSet()) {
         std::cout << config.text();
         return 0;
@@ -276,6 +277,7 @@ int makeMap(Arguments& arguments)
     if (arguments.every.getValue() == 0 || arguments.from.getValue() > arguments.to.getValue())
         throw ConfigurationError("--every must be at least 1 and --from not beyond --to");
     const std::string& input = arguments.input.getValue();
+    config.input.trust_paths = arguments.trustPaths.isSet();
     map->setConfig(config);
     if (arguments.exportDir.isSet()) checkExportFolder(arguments.exportDir.getValue());
     apps::checkOutputs(

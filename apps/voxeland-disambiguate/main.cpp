@@ -5,6 +5,7 @@
 #include "common/Interruption.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
+#include "common/TrustPathsArgument.h"
 #include "voxeland/counted.h"
 #include "voxeland/disambiguation/Asking.h"
 #include "voxeland/disambiguation/Checkpoint.h"
@@ -60,6 +61,7 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<std::string> dryRun{
         "",    "dry-run", "Write what would be asked into this folder, and ask nothing", false, "",
         "DIR", parser()};
+    apps::TrustPathsArgument trustPaths{parser()};
     apps::SetArgument set{"configuration", parser()};
     TCLAP::ValueArg<std::string> output{"o", "output",       "Map to write", false,
                                         "",  "MAP.voxeland", parser()};
@@ -219,6 +221,7 @@ int ask(Arguments& arguments, CVoxelandMap& map, const std::vector<std::string>&
     MapperConfig config(configuration(arguments, map), MapperConfig::Purpose::asking,
                         [&](const std::string& left) { arguments.warn(left); });
     config.input = map.withCamera(config.input);
+    config.input.trust_paths = arguments.trustPaths.isSet();
     const bool dry = arguments.dryRun.isSet();
     if (!dry) config.disambiguator->start();
     const Revision revision(map.map(), config.disambiguator->GetRuntimeClass()->className);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RawlogEntries.h"
 
+#include "voxeland/rawlogs/ImagePaths.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -9,8 +10,10 @@ using namespace mrpt::obs;
 
 namespace voxeland::apps
 {
-RawlogEntries::RawlogEntries(const std::string& file)
-    : m_rawlog(RawlogFiles::toRead(file).rawlog.string()),
+RawlogEntries::RawlogEntries(const std::string& file, bool trustsPaths)
+    : m_file(file),
+      m_trustsPaths(trustsPaths),
+      m_rawlog(RawlogFiles::toRead(file).rawlog.string()),
       m_sidecar(
           RawlogFiles(file), [](const auto&) { return true; }, [](uint32_t) {})
 {
@@ -45,7 +48,9 @@ std::optional<RawlogEntries::Entry> RawlogEntries::next()
 
 void RawlogEntries::meet(const CObservation& observation)
 {
-    if (dynamic_cast<const CObservation3DRangeScan*>(&observation) == nullptr) return;
+    const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation);
+    if (scan == nullptr) return;
+    checkImagePaths(*scan, m_file, m_trustsPaths);
     while (const auto predictions = m_sidecar.of(observation.timestamp, m_scans))
         m_predictions.push_back(predictions);
     ++m_scans;

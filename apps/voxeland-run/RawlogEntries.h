@@ -26,12 +26,12 @@ class RawlogEntries
         mrpt::obs::CObservation::Ptr observation;
     };
 
-    /** \throws InputError if a file cannot be opened */
-    explicit RawlogEntries(const std::string& file);
+    /** \param trustsPaths see checkImagePaths() \throws InputError if a file cannot be opened */
+    RawlogEntries(const std::string& file, bool trustsPaths);
 
     /** The next entry, or none at the end.
      *  \throws InputError, naming the file, if it is cut off or damaged, or holds a class that is
-     *  unknown */
+     *  unknown; also as checkImagePaths() */
     std::optional<Entry> next();
 
     /** Objects read from the rawlog so far, which is how MRPT numbers entries; predictions of the
@@ -42,6 +42,8 @@ class RawlogEntries
     /** Has the predictions of an observation come next, if it is a scan. */
     void meet(const mrpt::obs::CObservation& observation);
 
+    std::string m_file;
+    bool m_trustsPaths;
     GzInputFile m_rawlog;
     PredictionSidecar m_sidecar;
     std::deque<CObservationInstances::Ptr> m_predictions;  //!< of the scans met, to come next

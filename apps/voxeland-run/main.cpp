@@ -2,6 +2,7 @@
 /** Runs MRPT's programs with Voxeland's classes. */
 #include "RawlogEntries.h"
 #include "common/CommandLine.h"
+#include "common/TrustPathsArgument.h"
 #include "voxeland/errors.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/plugins/PluginLoader.h"
@@ -48,12 +49,16 @@ Exit codes: 0 done, 1 usage or configuration, 2 plugin, 3 input, or MRPT's appli
 template <class Application, bool WANTS_FRAMES = false>
 class WithVoxeland : public Application
 {
+ public:
+    bool trustsPaths = false;  //!< see checkImagePaths()
+
  protected:
     bool impl_get_next_observations(mrpt::obs::CActionCollection::Ptr& actions,
                                     mrpt::obs::CSensoryFrame::Ptr& frame,
                                     mrpt::obs::CObservation::Ptr& observation) override
     {
-        if (!m_entries) m_entries = std::make_unique<apps::RawlogEntries>(this->m_rawlogFileName);
+        if (!m_entries)
+            m_entries = std::make_unique<apps::RawlogEntries>(this->m_rawlogFileName, trustsPaths);
         std::optional<apps::RawlogEntries::Entry> entry;
         do {
             entry = m_entries->next();
@@ -109,12 +114,20 @@ void checkMaps(const std::string& ini)
         CVoxelandMap::TMapDefinition().loadFromConfigFile(config, map);
 }
 
+/** This program's own command line. */
+struct Arguments : apps::CommandLine
+{
+    Arguments() : CommandLine(DESCRIPTION) {}
+
+    apps::TrustPathsArgument trustPaths{parser()};
+};
+
 /** \param arguments the application's name and arguments, as its main() would get them */
 template <class Application>
-int runApplication(Application& application, mrpt::system::VerbosityLevel verbosity, int count,
-                   char** arguments)
+int runApplication(Application& application, Arguments& options, int count, char** arguments)
 {
-    application.setMinLoggingLevel(verbosity);
+    application.setMinLoggingLevel(options.quiet() ? mrpt::system::LVL_ERROR : options.verbosity());
+    application.trustsPaths = options.trustPaths.isSet();
     try {
         application.initialize(count, arguments);
     } catch (const std::exception& e) {
@@ -152,27 +165,26 @@ int beginOfCommand(int argc, char** argv)
 int run(int argc, char** argv)
 {
     const int begin = beginOfCommand(argc, argv);
-    apps::CommandLine commandLine(DESCRIPTION);
-    if (!commandLine.parse(begin, argv)) return 0;
+    Arguments options;
+    if (!options.parse(begin, argv)) return 0;
     if (begin == argc) throw ConfigurationError("name a program of MRPT to run (see --help)");
     const int count = argc - begin;
     char** const command = argv + begin;
     const std::string name = command[0];
-    const auto level = commandLine.quiet() ? mrpt::system::LVL_ERROR : commandLine.verbosity();
     if (name == "icp-slam") {
         WithVoxeland<mrpt::apps::ICP_SLAM_App_Rawlog> application;
         application.quits_with_esc_key = false;
-        return runApplication(application, level, count, command);
+        return runApplication(application, options, count, command);
     }
     if (name == "rbpf-slam") {
         WithVoxeland<mrpt::apps::RBPF_SLAM_App_Rawlog, true> application;
         application.quits_with_esc_key = false;
-        return runApplication(application, level, count, command);
+        return runApplication(application, options, count, command);
     }
     if (name == "pf-localization") {
         WithVoxeland<mrpt::apps::MonteCarloLocalization_Rawlog> application;
         application.allow_quit_on_esc_key = false;
-        return runApplication(application, level, count, command);
+        return runApplication(application, options, count, command);
     }
     become(command);
 }

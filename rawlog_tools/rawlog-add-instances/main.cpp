@@ -4,6 +4,7 @@
 #include "common/Interruption.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
+#include "common/TrustPathsArgument.h"
 #include "voxeland/counted.h"
 #include "voxeland/datasets/RawlogPredictions.h"
 #include "voxeland/datasets/UnfinishedPredictions.h"
@@ -11,6 +12,7 @@
 #include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/MapperConfig.h"
 #include "voxeland/printable.h"
+#include "voxeland/rawlogs/ImagePaths.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <filesystem>
@@ -49,6 +51,7 @@ struct Arguments : apps::CommandLine
                                        "LABEL",
                                        parser()};
     TCLAP::SwitchArg embed{"", "embed", "Put the predictions into the rawlog", parser()};
+    apps::TrustPathsArgument trustPaths{parser()};
     TCLAP::SwitchArg strict{"", "strict",
                             "What is odd is an error, instead of left out and counted", parser()};
     apps::SetArgument set{"network's INI", parser()};
@@ -128,6 +131,7 @@ AddedPredictions addSeen(Arguments& arguments, const AddPredictionsOptions& opti
     LeftOut leftOut(arguments.strict.isSet());
     const PredictionSource look =
         [&](size_t, const mrpt::obs::CObservation3DRangeScan& scan) -> CObservationInstances::Ptr {
+        checkImagePaths(scan, in, arguments.trustPaths.isSet());
         try {
             return network.converter->predict(scan);
         } catch (const UnusableFrame& e) {

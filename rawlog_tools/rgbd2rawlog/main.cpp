@@ -3,6 +3,7 @@
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
 #include "common/Progress.h"
+#include "common/TrustPathsArgument.h"
 #include "voxeland/counted.h"
 #include "voxeland/datasets/CalibrationCheck.h"
 #include "voxeland/datasets/DatasetImport.h"
@@ -63,6 +64,7 @@ struct Arguments : apps::CommandLine
         "", "from", "First frame to take, by number (default: 0)", false, 0, "N", parser()};
     TCLAP::ValueArg<size_t> every{
         "", "every", "Take every so-manieth frame only (default: 1)", false, 1, "N", parser()};
+    apps::TrustPathsArgument trustPaths{parser()};
     TCLAP::SwitchArg strict{
         "", "strict",
         "Frames that cannot be used, odd predictions and odd lines of lists are errors", parser()};
@@ -185,6 +187,7 @@ std::unique_ptr<RgbdDatasetReader> open(Arguments& arguments)
     options.camera = intrinsicsOf(arguments.intrinsics);
     options.colourCamera = intrinsicsOf(arguments.colourIntrinsics);
     options.strict = arguments.strict.isSet();
+    options.trustPaths = arguments.trustPaths.isSet();
     auto dataset = openDataset(arguments.format.getValue(), arguments.input.getValue(), options);
     dataset->select(arguments.first.getValue(), arguments.last.getValue(),
                     arguments.every.getValue());

@@ -13,6 +13,7 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <opencv2/imgcodecs.hpp>
 
 #include <cstdlib>
 
@@ -242,4 +243,57 @@ TEST_F(Trust, AMapNamesNoServerAndNoKey)
         const std::string request = test::readFile(entry.path());
         EXPECT_FALSE(has(request, SECRET) || has(request, "\"sent\"") || has(request, "root:"));
     }
+}
+
+namespace
+{
+/** Frames whose colour image is said to be another file. */
+std::vector<test::SmallFrame> framesWithImage(const std::string& file)
+{
+    auto frames = test::smallFrames(4);
+    for (auto& frame : frames) {
+        frame.scan->hasIntensityImage = true;
+        frame.scan->intensityImage.setExternalStorage(file);
+    }
+    return frames;
+}
+}  // namespace
+
+TEST_F(Trust, ARawlogShowsOnlyImagesOfItsFolder)
+{
+    fs::create_directory(file("r_Images"));
+    const cv::Mat grey(48, 64, CV_8UC3, cv::Scalar::all(99));
+    for (const char* image : {"secret.png", "r_Images/own.png"})
+        ASSERT_TRUE(cv::imwrite(file(image), grey));
+    fs::create_symlink(file("secret.png"), file("r_Images/link.png"));
+    const auto withImage = [&](const std::string& image,
+                               const std::vector<std::string>& more = {}) {
+        test::writeRawlog(file("r.rawlog"), framesWithImage(image), true);
+        return map(more);
+    };
+    EXPECT_EQ(withImage("own.png").exitCode, 0);
+    EXPECT_EQ(withImage(file("r_Images/own.png")).exitCode, 0);
+    for (const std::string& image : {file("secret.png"), std::string("../secret.png"),
+                                     std::string("link.png"), std::string("/etc/passwd")})
+    {
+        const auto refused = withImage(image);
+        EXPECT_EQ(refused.exitCode, 3) << image;
+        EXPECT_TRUE(has(refused.errors, "--trust-paths")) << refused.errors;
+        EXPECT_EQ(withImage(image, {"--trust-paths"}).exitCode, 0) << image;
+    }
+}
+
+TEST_F(Trust, ARawlogReadsOnlyDepthsOfItsFolder)
+{
+    fs::create_directory(file("r_Images"));
+    const std::string base = mrpt::img::CImage::getImagesPathBase();
+    for (const std::string& name : {std::string("depth.bin"), std::string("../depth.bin")}) {
+        auto frames = test::smallFrames(1);
+        frames[0].scan->rangeImage_convertToExternalStorage(name, file("r_Images"));
+        test::writeRawlog(file("r.rawlog"), frames, true);
+        const auto mapped = map();
+        EXPECT_EQ(mapped.exitCode, name == "depth.bin" ? 0 : 3) << mapped.errors;
+    }
+    mrpt::img::CImage::setImagesPathBase(base);
+    EXPECT_EQ(map({"--trust-paths"}).exitCode, 0);
 }

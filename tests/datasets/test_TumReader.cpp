@@ -182,3 +182,30 @@ TEST_F(TumReaderTest, LeavesOutFramesWithoutImages)
     EXPECT_EQ(reader.skipped()[0].reason, "no colour image");
     EXPECT_EQ(reader.skipped()[1].reason, "no depth image");
 }
+
+TEST_F(TumReaderTest, ListsNameOnlyImagesOfTheFolder)
+{
+    writeRoom(SMALL, 80, 60);
+    const std::string outside = m_folder.file("outside.png");
+    test::writeImage(outside, test::greyImage(80, 60));
+    DatasetOptions trusting = small();
+    trusting.trustPaths = true;
+    for (const std::string& name :
+         {std::string("../outside.png"), outside, std::string("rgb/../../outside.png"),
+          std::string("..\\outside.png")})
+    {
+        write("rgb.txt", "100.000 rgb/a.png\n100.033 " + name + "\n");
+        expectFailure<InputError>("--trust-paths", small());
+        TumReader reader(folder(), trusting);
+        RgbdRecord record;
+        EXPECT_TRUE(reader.next(record));
+        EXPECT_TRUE(reader.next(record)) << name;
+    }
+    // A folder of links is a folder that the user made.
+    fs::create_symlink(outside, fs::path(folder()) / "rgb" / "c.png");
+    write("rgb.txt", "100.000 rgb/a.png\n100.033 rgb/c.png\n");
+    TumReader reader(folder(), small());
+    RgbdRecord record;
+    EXPECT_TRUE(reader.next(record));
+    EXPECT_TRUE(reader.next(record));
+}

@@ -24,7 +24,7 @@ TEST(RawlogEntries, PredictionsOfAllDetectorsFollowTheirScan)
     frames.insert(frames.begin() + 1, SmallFrame{nullptr, other, nullptr});
     writeRawlog(rawlog, frames);
 
-    apps::RawlogEntries entries(rawlog);
+    apps::RawlogEntries entries(rawlog, false);
     std::vector<std::string> labels;
     std::vector<size_t> numbers;
     while (const auto entry = entries.next()) {
@@ -52,7 +52,7 @@ TEST(RawlogEntries, ScansOfASensoryFrameNeedNotBeInOrderOfTime)
     out.writeObject(both);
     out.close();
 
-    apps::RawlogEntries entries(rawlog);
+    apps::RawlogEntries entries(rawlog, false);
     const auto entry = entries.next();
     ASSERT_TRUE(entry && entry->frame);
     std::vector<mrpt::Clock::time_point> times;

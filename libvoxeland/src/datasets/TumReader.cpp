@@ -6,6 +6,7 @@
 #include "voxeland/counted.h"
 #include "voxeland/datasets/OpticalPose.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/NamedFile.h"
 #include "voxeland/observations/TimedLines.h"
 #include "voxeland/observations/Trajectory.h"
 
@@ -99,8 +100,11 @@ std::vector<TumReader::TimedFile> TumReader::readList(const std::string& name)
     if (text.leftOut.count() > 0)
         addNote(text.leftOut.told("line of " + file.string(), "lines of " + file.string()));
     std::vector<TimedFile> list;
-    for (const TimedLine& line : text.lines)
+    for (const TimedLine& line : text.lines) {
         list.push_back({line.time, existingName(m_folder, line.rest)});
+        static_cast<void>(namedFile(m_folder, list.back().file, file.string(), Links::followed,
+                                    options().trustPaths));
+    }
     return list;
 }
 

@@ -2,6 +2,7 @@
 #include "voxeland/rawlogs/FrameFinder.h"
 
 #include "voxeland/io/GzInputFile.h"
+#include "voxeland/rawlogs/ImagePaths.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <mrpt/maps/CSimpleMap.h>
@@ -14,7 +15,8 @@ namespace fs = std::filesystem;
 namespace voxeland
 {
 FrameFinder::FrameFinder(const std::string& file, const InputOptions& options, Times wanted)
-    : m_options(options),
+    : m_file(file),
+      m_options(options),
       m_wanted(std::move(wanted)),
       m_input(std::make_unique<GzInputFile>(RawlogFiles::toRead(file).rawlog.string()))
 {
@@ -75,7 +77,9 @@ void FrameFinder::takeObservation(const std::shared_ptr<CObservation>& observati
         if (isFrom(m_options.instances_sensor_label))
             m_predictions[observation->timestamp] = predictions;
     } else if (const auto scan = std::dynamic_pointer_cast<CObservation3DRangeScan>(observation)) {
-        if (isFrom(m_options.depth_sensor_label)) m_waiting.push_back({scan, nullptr, {}});
+        if (!isFrom(m_options.depth_sensor_label)) return;
+        checkImagePaths(*scan, m_file, m_options.trust_paths);
+        m_waiting.push_back({scan, nullptr, {}});
     }
 }
 }  // namespace voxeland

@@ -7,6 +7,7 @@
 #include "voxeland/numbers.h"
 #include "voxeland/observations/Trajectory.h"
 #include "voxeland/pipeline/PoseSource.h"
+#include "voxeland/rawlogs/ImagePaths.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <mrpt/maps/CSimpleMap.h>
@@ -217,11 +218,12 @@ void RawlogFrameSource::takeScan(const CObservation::Ptr& observation)
         m_assembler.skipScan(observation->timestamp);
         return;
     }
+    const auto scan = std::dynamic_pointer_cast<CObservation3DRangeScan>(observation);
+    checkImagePaths(*scan, m_file, m_options.trust_paths);
     std::optional<RobotPose> pose;
     if (m_options.pose_source == "actions" || m_options.pose_source == SIMPLEMAP_POSES)
         pose = m_framePose;
-    m_assembler.addScan(std::dynamic_pointer_cast<CObservation3DRangeScan>(observation),
-                        predictions, pose);
+    m_assembler.addScan(scan, predictions, pose);
 }
 
 bool RawlogFrameSource::isWanted(uint32_t number) const

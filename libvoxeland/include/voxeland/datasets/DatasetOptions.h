@@ -25,5 +25,7 @@ struct DatasetOptions
     bool annotation = false;
     /** Frames that cannot be used, and odd lines of lists and trajectories, are errors. */
     bool strict = false;
+    /** Lists may name images outside of the dataset's folder, see namedFile(). */
+    bool trustPaths = false;
 };
 }  // namespace voxeland

@@ -28,6 +28,9 @@ struct InputOptions
     uint32_t prediction_wait = 5;  //!< newer frames to wait for a frame's predictions or pose
     DepthLimits depth;
     uint32_t threads = 0;  //!< threads that read and prepare frames; 0: one a core
+    /** The user vouches for images outside of the rawlog's folder, see checkImagePaths(). No key of
+     *  the INI: it is said for one run. */
+    bool trust_paths = false;
 };
 
 /** How opinions become evidence; part of section [map]. */

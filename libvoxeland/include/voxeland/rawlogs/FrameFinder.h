@@ -41,6 +41,7 @@ class FrameFinder
     void take(const std::shared_ptr<mrpt::serialization::CSerializable>& object);
     void takeObservation(const std::shared_ptr<mrpt::obs::CObservation>& observation);
 
+    std::string m_file;
     InputOptions m_options;
     Times m_wanted;
     std::unique_ptr<GzInputFile> m_input;
