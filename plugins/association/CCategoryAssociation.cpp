@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CCategoryAssociation.h"
 
-#include <mrpt/core/initializer.h>
+#include "voxeland/RegisteredClass.h"
 
 #include <map>
 
@@ -39,7 +39,4 @@ std::vector<Assignment> CCategoryAssociation::associate(
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerCategoryAssociation)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CCategoryAssociation));
-}
+const voxeland::RegisteredClass<voxeland::CCategoryAssociation> REGISTERED;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CEvidentialAssociation.h"
 
-#include <mrpt/core/initializer.h>
+#include "voxeland/RegisteredClass.h"
 
 #include <algorithm>
 
@@ -148,7 +148,4 @@ bool CEvidentialAssociation::mayMerge(const InstanceOverlap& o, const MergeThres
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerEvidentialAssociation)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CEvidentialAssociation));
-}
+const voxeland::RegisteredClass<voxeland::CEvidentialAssociation> REGISTERED;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CIoUAssociation.h"
 
-#include <mrpt/core/initializer.h>
+#include "voxeland/RegisteredClass.h"
 
 namespace voxeland
 {
@@ -59,7 +59,4 @@ bool CIoUAssociation::mayMerge(const InstanceOverlap& overlap, const MergeThresh
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerIoUAssociation)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CIoUAssociation));
-}
+const voxeland::RegisteredClass<voxeland::CIoUAssociation> REGISTERED;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CTrackAssociation.h"
 
-#include <mrpt/core/initializer.h>
+#include "voxeland/RegisteredClass.h"
 
 #include <algorithm>
 #include <map>
@@ -78,7 +78,4 @@ std::vector<Assignment> CTrackAssociation::associate(const std::vector<OpinionOv
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerTrackAssociation)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CTrackAssociation));
-}
+const voxeland::RegisteredClass<voxeland::CTrackAssociation> REGISTERED;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CPixelLabelsConverter.h"
 
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/errors.h"
 #include "voxeland/plugins/ClusteringKeys.h"
 
-#include <mrpt/core/initializer.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/imgproc.hpp>
 
@@ -117,7 +117,4 @@ std::vector<Opinion> CPixelLabelsConverter::convert(const RgbdFrame& frame,
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerPixelLabelsConverter)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CPixelLabelsConverter));
-}
+const voxeland::RegisteredClass<voxeland::CPixelLabelsConverter> REGISTERED;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CRecordedInstancesConverter.h"
 
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/plugins/ClusteringKeys.h"
-
-#include <mrpt/core/initializer.h>
 
 namespace voxeland
 {
@@ -27,7 +26,4 @@ std::vector<Opinion> CRecordedInstancesConverter::convert(const RgbdFrame& frame
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerRecordedInstancesConverter)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CRecordedInstancesConverter));
-}
+const voxeland::RegisteredClass<voxeland::CRecordedInstancesConverter> REGISTERED;

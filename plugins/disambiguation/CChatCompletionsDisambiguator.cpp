@@ -2,10 +2,9 @@
 #include "CChatCompletionsDisambiguator.h"
 
 #include "ServerUrl.h"
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/counted.h"
 #include "voxeland/files/Json.h"
-
-#include <mrpt/core/initializer.h>
 
 #include <algorithm>
 #include <chrono>
@@ -277,7 +276,4 @@ std::string CChatCompletionsDisambiguator::withoutKey(std::string text) const
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerChatCompletionsDisambiguator)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CChatCompletionsDisambiguator));
-}
+const voxeland::RegisteredClass<voxeland::CChatCompletionsDisambiguator> REGISTERED;

@@ -2,10 +2,9 @@
 #include "CReplayDisambiguator.h"
 
 #include "QuestionFolder.h"
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/io/OutputFolder.h"
 #include "voxeland/pipeline/MapperConfig.h"
-
-#include <mrpt/core/initializer.h>
 
 namespace voxeland
 {
@@ -60,7 +59,4 @@ std::string CReplayDisambiguator::howToAnswer() const
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerReplayDisambiguator)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CReplayDisambiguator));
-}
+const voxeland::RegisteredClass<voxeland::CReplayDisambiguator> REGISTERED;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CTopCategoryDisambiguator.h"
 
-#include <mrpt/core/initializer.h>
+#include "voxeland/RegisteredClass.h"
 
 namespace voxeland
 {
@@ -24,7 +24,4 @@ std::optional<DisambiguationAnswer> CTopCategoryDisambiguator::ask(
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerTopCategoryDisambiguator)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CTopCategoryDisambiguator));
-}
+const voxeland::RegisteredClass<voxeland::CTopCategoryDisambiguator> REGISTERED;

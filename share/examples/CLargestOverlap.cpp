@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A plugin: an opinion belongs to the instance with which it has most voxels in common.
-#include <voxeland/plugins/CAssociationPolicy.h>
 
-#include <mrpt/core/initializer.h>
+#include <voxeland/RegisteredClass.h>
+#include <voxeland/plugins/CAssociationPolicy.h>
 
 namespace example
 {
@@ -50,7 +50,4 @@ class CLargestOverlap : public CAssociationPolicy
 IMPLEMENTS_MRPT_OBJECT(CLargestOverlap, voxeland::CAssociationPolicy, example)
 }  // namespace example
 
-MRPT_INITIALIZER(registerLargestOverlap)
-{
-    mrpt::rtti::registerClass(CLASS_ID(example::CLargestOverlap));
-}
+const voxeland::RegisteredClass<example::CLargestOverlap> REGISTERED;

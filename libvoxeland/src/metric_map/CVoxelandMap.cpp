@@ -3,6 +3,7 @@
 
 #include "UsersConfigurations.h"
 #include "WarnOnce.h"
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/LevelFrame.h"
@@ -27,6 +28,7 @@ using mrpt::poses::CPose3D;
 namespace voxeland
 {
 IMPLEMENTS_SERIALIZABLE(CVoxelandMap, mrpt::maps::CMetricMap, voxeland)
+const RegisteredClass<CVoxelandMap> REGISTERED;
 
 namespace
 {

@@ -2,6 +2,7 @@
 #include "voxeland/observations/CObservationInstances.h"
 
 #include "../base/Reading.h"
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/counted.h"
 
 #include <mrpt/poses/CPose3D.h>
@@ -32,6 +33,7 @@ CategoryDistribution normalized(CategoryDistribution scores)
 }
 
 IMPLEMENTS_SERIALIZABLE(CObservationInstances, mrpt::obs::CObservation, voxeland)
+const RegisteredClass<CObservationInstances> REGISTERED;
 
 void CObservationInstances::getSensorPose(mrpt::poses::CPose3D& out) const
 {

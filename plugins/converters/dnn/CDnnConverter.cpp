@@ -2,13 +2,13 @@
 #include "CDnnConverter.h"
 
 #include "ClassNames.h"
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/counted.h"
 #include "voxeland/datasets/CategoryNames.h"
 #include "voxeland/errors.h"
 #include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/plugins/ClusteringKeys.h"
 
-#include <mrpt/core/initializer.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/system/datetime.h>
 #include <mrpt/system/string_utils.h>
@@ -165,7 +165,4 @@ std::vector<Opinion> CDnnConverter::convert(const RgbdFrame& frame,
 }
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerDnnConverter)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CDnnConverter));
-}
+const voxeland::RegisteredClass<voxeland::CDnnConverter> REGISTERED;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** A plugin that ends its program as the environment variable VOXELAND_TEST_ENDING says. */
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
-
-#include <mrpt/core/initializer.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -46,8 +45,15 @@ class CEndingAssociation : public CAssociationPolicy
 IMPLEMENTS_MRPT_OBJECT(CEndingAssociation, voxeland::CAssociationPolicy, voxeland)
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerEndingAssociation)
+namespace
 {
-    for (const char* how : {"abort", "crash", "exit", "throw while loading"}) end(how);
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CEndingAssociation));
-}
+struct EndWhileLoading
+{
+    EndWhileLoading()
+    {
+        for (const char* how : {"abort", "crash", "exit", "throw while loading"}) end(how);
+    }
+} const END;
+}  // namespace
+
+const voxeland::RegisteredClass<voxeland::CEndingAssociation> REGISTERED;

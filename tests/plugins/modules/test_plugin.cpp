@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/RegisteredClass.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
-
-#include <mrpt/core/initializer.h>
 
 namespace voxeland
 {
@@ -36,7 +35,4 @@ class CTestAssociation : public CAssociationPolicy
 IMPLEMENTS_MRPT_OBJECT(CTestAssociation, voxeland::CAssociationPolicy, voxeland)
 }  // namespace voxeland
 
-MRPT_INITIALIZER(registerTestAssociation)
-{
-    mrpt::rtti::registerClass(CLASS_ID(voxeland::CTestAssociation));
-}
+const voxeland::RegisteredClass<voxeland::CTestAssociation> REGISTERED;

@@ -14,8 +14,8 @@ namespace voxeland
 inline namespace abi_1
 {
 /** What all plugin classes have in common. A plugin is configured once and then used through const
- *  functions from several threads. Register concrete classes with MRPT_INITIALIZER and
- *  mrpt::rtti::registerClass(). */
+ *  functions from several threads. Register concrete classes with
+ *  RegisteredClass. */
 class Plugin : public mrpt::rtti::CObject
 {
     VOXELAND_DEFINE_VIRTUAL_MRPT_OBJECT(Plugin)
