@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reading.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <zlib.h>
+
+namespace voxeland::fuzz
+{
+namespace
+{
+void checkSentence(const std::exception& refusal)
+{
+    const std::string sentence = refusal.what();
+    if (!sentence.empty() && sentence.size() <= 1000) return;
+    std::cerr << "a refusal of " << sentence.size() << " characters\n";
+    std::abort();
+}
+
+std::string textOf(const uint8_t* data, size_t size)
+{
+    return {reinterpret_cast<const char*>(data), size};
+}
+}  // namespace
+
+int readOrRefuse(const std::function<void()>& read)
+{
+    try {
+        read();
+    } catch (const ConfigurationError& e) {
+        checkSentence(e);
+    } catch (const PluginError& e) {
+        checkSentence(e);
+    } catch (const InputError& e) {
+        checkSentence(e);
+    } catch (const NothingToMapError& e) {
+        checkSentence(e);
+    }
+    return 0;
+}
+
+const std::string& MadeUpFile::holding(const uint8_t* data, size_t size) const
+{
+    test::writeFile(m_path, textOf(data, size));
+    return m_path;
+}
+
+const std::string& MadeUpFile::compressing(const uint8_t* data, size_t size) const
+{
+    const gzFile out = gzopen(m_path.c_str(), "wb1");
+    gzwrite(out, data, static_cast<unsigned>(size));
+    gzclose(out);
+    return m_path;
+}
+}  // namespace voxeland::fuzz
