@@ -80,7 +80,8 @@ std::string form(const DisambiguationQuestion& question)
 /** What a person wrote: all but the lines that start with #, without space around. */
 std::string readPersonsAnswer(const fs::path& file)
 {
-    std::ifstream in(file);
+    std::ifstream in;
+    if (fs::is_regular_file(file)) in.open(file);
     static const std::string BYTE_ORDER_MARK = "\xef\xbb\xbf";
     std::string text;
     for (std::string line; std::getline(in, line);) {

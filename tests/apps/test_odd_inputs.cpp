@@ -83,3 +83,53 @@ TEST_F(OddInputs, aNumberThatIsNearlyNothingIsRefused)
             .find("too close to 0"),
         std::string::npos);
 }
+
+TEST_F(OddInputs, onlyRegularFilesAreRead)
+{
+    const std::string pipe = file("pipe.rawlog"), from = map();
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    using Command = std::pair<std::string, std::vector<std::string>>;
+    for (const std::string& odd : {pipe, std::string("/dev/zero"), m_folder.path().string()})
+        for (const auto& [program, arguments] : std::vector<Command>{
+                 {"rawlog2voxeland", {"-i", odd, "-o", file("o.voxeland")}},
+                 {"rawlog2voxeland", {"-i", rawlog(), "-o", file("o.voxeland"), "--poses", odd}},
+                 {"rawlog2voxeland", {"-i", rawlog(), "-o", file("o.voxeland"), "--resume", odd}},
+                 {"voxeland-info", {odd}},
+                 {"voxeland-export", {"-m", odd, "--ply", file("o.ply")}},
+                 {"voxeland-report", {"-m", odd, "-o", file("o.html")}},
+                 {"voxeland-eval", {"-m", odd, "--gt", odd}},
+                 {"rawlog-add-instances", {"-i", odd, "--coco", odd, "-o", file("p.rawlog")}},
+                 {"rawlog-add-instances", {"-i", rawlog(), "--coco", odd, "-o", file("p.rawlog")}}})
+            sentenceOf(3, program, arguments);
+    for (const std::string& odd : {pipe, std::string("/dev/zero")}) {
+        sentenceOf(1, "rawlog2voxeland", {"--check-config", "-c", odd});
+        sentenceOf(3, "voxeland-eval", {"-m", from, "--gt", odd});
+        sentenceOf(3, "rgbd2rawlog",
+                   {"--format", "scannet", "--input", odd, "--output", "p.rawlog"});
+    }
+}
+
+TEST_F(OddInputs, anOutputIsAFileOrADevice)
+{
+    const std::string pipe = file("pipe"), from = map();
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_NE(sentenceOf(5, "voxeland-export", {"-m", from, "--ply", pipe}).find("it is a pipe"),
+              std::string::npos);
+    EXPECT_EQ(test::runProgram("voxeland-export", {"-m", from, "--ply", "/dev/null"}).exitCode, 0);
+    const auto shown = test::runProgram("voxeland-export", {"-m", from, "--ply", "/dev/stdout"});
+    EXPECT_EQ(shown.exitCode, 0) << shown.errors;
+    EXPECT_EQ(shown.output.substr(0, 4), "ply\n");
+}
+
+TEST_F(OddInputs, aHeaderMayPromiseAnyNumberOfNothing)
+{
+    test::writeFile(
+        file("ground_truth.ply"),
+        "ply\nformat ascii 1.0\nelement nothing 18000000000000000000\nelement vertex 1\n"
+        "property float x\nproperty float y\nproperty float z\nproperty int instance\n"
+        "property int category\nend_header\n1 1 1 1 7\n");
+    test::writeFile(file("categories.csv"), "index,name\n7,cup\n");
+    const auto result =
+        test::runProgram("voxeland-eval", {"-m", map(), "--gt", m_folder.path().string()});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+}

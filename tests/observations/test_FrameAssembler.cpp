@@ -362,3 +362,21 @@ TEST(FrameAssembler, WhatWaitsIsSerializableWithLimitsAndCounts)
     EXPECT_EQ(frames[0].robotPose.x(), 1);
     EXPECT_TRUE(frames[1].instances);
 }
+
+TEST(FrameAssembler, OfVeryManyPredictionsTheSurestAreUsed)
+{
+    std::vector<InstancePrediction> many;
+    for (int i = 0; i < 1200; ++i)
+        many.push_back(test::prediction(test::rectangleMask(0, 0, 9, 9), "cup",
+                                        0.2F + 0.0005F * static_cast<float>(i)));
+    auto a = assembler(5);
+    addPose(a, 7);
+    addScan(a, 7);
+    a.addInstances(test::makePredictions(many, 7));
+    const auto frame = a.next();
+    ASSERT_TRUE(frame);
+    ASSERT_EQ(frame->instances->instances.size(), 1000U);
+    for (const auto& p : frame->instances->instances) EXPECT_GE(p.score, 0.2F + 0.0005F * 200);
+    EXPECT_EQ(a.oddPredictions().count(), 1U);
+    EXPECT_EQ(a.oddPredictions().first().find("of 1200 predictions"), 0U);
+}

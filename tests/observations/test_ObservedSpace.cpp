@@ -2,6 +2,7 @@
 #include "support/Frames.h"
 #include "voxeland/grid/RayTraversal.h"
 #include "voxeland/observations/ObservedSpace.h"
+#include "voxeland/observations/UnusableFrame.h"
 
 #include <gtest/gtest.h>
 
@@ -187,4 +188,27 @@ TEST(ObservedSpace, AMeasuredVoxelIsNeverFree)
 TEST(ObservedSpace, AFrameWithoutPointsSeesNothing)
 {
     EXPECT_EQ(castRays(frameOf([](int, int) { return 0.0; }), 0.1).size(), 0u);
+}
+
+TEST(ObservedSpace, WhatNeitherMemoryNorAMapCanHoldIsRefused)
+{
+    const auto errorOf = [](double metres, double resolution, const mrpt::poses::CPose3D& pose) {
+        auto scan = test::makeScan([](int, int) { return 1.0; });
+        scan->rangeUnits = static_cast<float>(metres / 1000);  // it holds 1000 of them
+        try {
+            castRays(VoxelizedFrame({scan, nullptr, pose}, resolution, {0.1, 20000}), 0);
+        } catch (const UnusableFrame& e) {
+            return std::string(e.what());
+        }
+        return std::string("no error");
+    };
+    EXPECT_EQ(errorOf(16, 0.05, {}), "no error");
+    EXPECT_NE(errorOf(400, 0.001, {}).find("fit into memory"), std::string::npos)
+        << "4800 rays of at least 400,000 cells";
+    EXPECT_NE(errorOf(100, 0.01, {}).find("fit into memory"), std::string::npos)
+        << "at most 144 million cells, but in more than a million blocks";
+    EXPECT_NE(errorOf(16000, 0.01, {}).find("farther off"), std::string::npos);
+    EXPECT_NE(errorOf(10, 0.01, mrpt::poses::CPose3D(10480, 0, 0, 0, 0, 0)).find("farther off"),
+              std::string::npos)
+        << "2^20 cells from the origin";
 }

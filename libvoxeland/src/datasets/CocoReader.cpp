@@ -106,6 +106,11 @@ PixelBox boundsOf(const std::vector<std::vector<double>>& polygons)
             static_cast<int32_t>(std::ceil(bottom - top))};
 }
 
+PixelBox transposed(const PixelBox& box)
+{
+    return {box.y, box.x, box.height, box.width};
+}
+
 /** Whether two boxes are roughly the same. */
 bool fit(const PixelBox& a, const PixelBox& b)
 {
@@ -358,10 +363,9 @@ void CocoReader::readRunLengths(const json& segmentation, CocoPredictions::Entry
         }
     }
     if (runs.empty()) throw OddEntry("segmentation has no counts");
-    auto& mask = entry.prediction.mask;
-    mask = maskFromColumnRuns(w, h, runs);
+    m_alongRows = RunLengthMask(w, h, runs).boundingBox();
+    entry.columns = RunLengthMask(h, w, std::move(runs));
     ++m_maskSizes[{w, h}];
-    m_alongRows = RunLengthMask(w, h, std::move(runs)).boundingBox();
 }
 
 /** An odd box is left out, not the prediction: the mask has one. */
@@ -387,10 +391,10 @@ void CocoReader::readBox(const json& prediction, CocoPredictions::Entry& entry)
     entry.prediction.box = {left, top, static_cast<int32_t>(std::ceil(right)) - left,
                             static_cast<int32_t>(std::ceil(bottom)) - top};
     const bool hasPolygons = !entry.polygons.empty();
-    if (!hasPolygons && entry.prediction.mask.empty()) return;
+    if (!hasPolygons && entry.columns.empty()) return;
     ++m_boxes;
     if (fit(entry.prediction.box,
-            hasPolygons ? boundsOf(entry.polygons) : entry.prediction.mask.boundingBox()))
+            hasPolygons ? boundsOf(entry.polygons) : transposed(entry.columns.boundingBox())))
         return;
     ++m_boxesApart;
     if (!hasPolygons && fit(entry.prediction.box, m_alongRows)) ++m_boxesOfRows;

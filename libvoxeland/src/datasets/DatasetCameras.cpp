@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/DatasetCameras.h"
 
+#include "../observations/CameraCheck.h"
 #include "voxeland/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -58,6 +59,8 @@ mrpt::img::TCamera cameraOf(const PinholeCamera& model, const ImageSize& images,
     camera.setIntrinsicParamsFromValues(model.fx, model.fy, model.cx, model.cy);
     const auto& d = model.distortion;
     if (d != PinholeCamera().distortion) camera.setDistortionPlumbBob(d[0], d[1], d[2], d[3], d[4]);
+    if (const auto problem = problemOf(camera); !problem.empty())
+        throw InputError("the camera of " + which + " " + problem + ": correct the intrinsics");
     return camera;
 }
 }  // namespace

@@ -35,7 +35,8 @@ bool readNumber(std::istream& in, double& number)
 
 std::vector<double> readNumbers(const fs::path& file)
 {
-    std::ifstream in(file);
+    std::ifstream in;
+    if (fs::is_regular_file(file)) in.open(file);
     std::vector<double> numbers;
     for (double number = 0; readNumber(in, number);) numbers.push_back(number);
     return numbers;

@@ -18,8 +18,9 @@ namespace
 {
 std::vector<char> readBytes(const std::string& file, const std::string& which)
 {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw UnusableFrame(which + " cannot be opened");
+    std::ifstream in;
+    if (fs::is_regular_file(file)) in.open(file, std::ios::binary);
+    if (!in.is_open()) throw UnusableFrame(which + " cannot be opened");
     return {std::istreambuf_iterator<char>(in), {}};
 }
 

@@ -82,12 +82,17 @@ CObservationInstances::Ptr MatchedPredictions::instancesFor(size_t position, int
     if (!at) return result;
     const auto& image = m_predictions.images()[*at];
     for (const auto& entry : image.entries) {
-        InstancePrediction p = predictionOf(image, entry, width, height);
-        if (p.mask.width() != width || p.mask.height() != height) {
+        if (!fits(image, entry, width, height)) {
             m_leftOut.add(sentence(m_predictions.file(), image, entry,
-                                   "the mask is of " + sizeText(p.mask.width(), p.mask.height()) +
+                                   "the mask is of " +
+                                       sizeText(entry.columns.height(), entry.columns.width()) +
                                        " pixels, the image of " + sizeText(width, height)));
-        } else if (p.mask.empty() && !entry.polygons.empty()) {
+            continue;
+        }
+        InstancePrediction p = entry.prediction;
+        p.mask = entry.polygons.empty() ? maskFromColumnRuns(width, height, entry.columns.runs())
+                                        : maskFromPolygons(width, height, entry.polygons);
+        if (p.mask.empty() && !entry.polygons.empty()) {
             m_leftOut.add(sentence(m_predictions.file(), image, entry,
                                    "no pixel of the image is in its polygons"));
         } else {
@@ -98,22 +103,16 @@ CObservationInstances::Ptr MatchedPredictions::instancesFor(size_t position, int
     return result;
 }
 
-InstancePrediction MatchedPredictions::predictionOf(const CocoPredictions::Image& image,
-                                                    const CocoPredictions::Entry& entry, int width,
-                                                    int height) const
+bool MatchedPredictions::fits(const CocoPredictions::Image& image,
+                              const CocoPredictions::Entry& entry, int width, int height) const
 {
-    InstancePrediction p = entry.prediction;
-    if (!entry.polygons.empty()) {
-        p.mask = maskFromPolygons(width, height, entry.polygons);
-        return p;
-    }
-    const int w = p.mask.width(), h = p.mask.height();
-    const bool areMost = w == m_predictions.maskWidth() && h == m_predictions.maskHeight();
-    if (areMost && (w != width || h != height))
+    const int w = entry.columns.height(), h = entry.columns.width();
+    if (!entry.polygons.empty() || (w == width && h == height)) return true;
+    if (w == m_predictions.maskWidth() && h == m_predictions.maskHeight())
         throw InputError(m_predictions.file() + ": the masks of image_id " + image.id + " are of " +
                          sizeText(w, h) + " pixels but the image has " + sizeText(width, height) +
                          (w == height && h == width ? ": size is height, width" : ""));
-    return p;
+    return false;
 }
 
 std::vector<std::string> MatchedPredictions::notes() const
@@ -132,8 +131,7 @@ std::vector<std::string> MatchedPredictions::warnings() const
     else if (!m_matching.doubt.empty())
         all.push_back(m_predictions.file() + ": images are matched " + m_matching.how + ", but " +
                       m_matching.doubt);
-    if (m_leftOut.count() > 0)
-        all.push_back(m_leftOut.told("odd entry", "odd entries"));
+    if (m_leftOut.count() > 0) all.push_back(m_leftOut.told("odd entry", "odd entries"));
     return all;
 }
 }  // namespace voxeland

@@ -4,6 +4,7 @@
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 #include "voxeland/files/Json.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -24,8 +25,8 @@ const PinholeCamera DEFAULT_CAMERA = {600, 600, 599.5, 339.5, {}, RECORDED};
 
 std::vector<std::vector<double>> readLines(const fs::path& file)
 {
+    checkInputFile(file.string(), "the poses of Replica's frames,");
     std::ifstream in(file);
-    if (!in) throw InputError("cannot read " + file.string() + ", the poses of Replica's frames");
     std::vector<std::vector<double>> lines;
     for (std::string line; std::getline(in, line);) {
         std::istringstream words(line);

@@ -5,6 +5,7 @@
 #include "ImageFiles.h"
 #include "SceneNNAnnotation.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
@@ -23,6 +24,7 @@ const PinholeCamera DEFAULT_CAMERA = {544.47329, 544.47329, 320, 240, {}, RECORD
 
 PinholeCamera cameraFrom(const fs::path& file)
 {
+    checkInputFile(file.string(), "the intrinsics");
     std::ifstream in(file);
     std::map<std::string, double> values;
     std::string key;
@@ -91,6 +93,7 @@ PinholeCamera SceneNNReader::findCamera()
 void SceneNNReader::readTrajectory()
 {
     const fs::path file = findTrajectory(m_folder);
+    checkInputFile(file.string(), "the trajectory");
     std::ifstream in(file);
     bool idsCount = true;
     for (int64_t id = 0; in >> id >> std::ws;) {

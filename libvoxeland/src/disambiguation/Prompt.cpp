@@ -8,6 +8,7 @@
 
 #include <mrpt/core/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -17,7 +18,8 @@ namespace
 {
 std::string readTemplate(const std::string& file)
 {
-    std::ifstream in(file);
+    std::ifstream in;
+    if (std::filesystem::is_regular_file(file)) in.open(file);
     std::ostringstream text;
     text << in.rdbuf();
     if (!in || text.str().empty())

@@ -2,6 +2,7 @@
 #include "voxeland/disambiguation/ViewPictures.h"
 
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 #include "voxeland/rawlogs/FrameFinder.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -85,8 +86,11 @@ cv::Mat colourImage(const RgbdFrame& frame, const std::string& rawlog)
         throw InputError("'" + rawlog + "' has no colour images: there is nothing to show");
     cv::Mat image;
     try {
-        frame.scan->intensityImage.forceLoad();
-        image = frame.scan->intensityImage.asCvMatRef();
+        const auto& stored = frame.scan->intensityImage;
+        if (stored.isExternallyStored())
+            checkInputFile(stored.getExternalStorageFileAbsolutePath(), "the colour image");
+        stored.forceLoad();
+        image = stored.asCvMatRef();
     } catch (const std::exception&) {
         image.release();
     }

@@ -9,12 +9,26 @@
 #include <filesystem>
 #include <fstream>
 #include <locale>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
 
 namespace voxeland
 {
+namespace
+{
+/** Whether a name like /dev/stdout stands for what this program writes to. */
+bool isStandardOutput(const std::string& file)
+{
+    struct stat named
+    {
+    }, own{};
+    return stat(file.c_str(), &named) == 0 && fstat(STDOUT_FILENO, &own) == 0 &&
+           named.st_dev == own.st_dev && named.st_ino == own.st_ino;
+}
+}  // namespace
+
 AtomicFile::AtomicFile(const std::string& target) : m_target(target)
 {
     std::error_code ignored;
@@ -26,6 +40,9 @@ AtomicFile::AtomicFile(const std::string& target) : m_target(target)
         throw OutputError("cannot write " + target + ": there is no folder " + folder.string() +
                           ": create it first");
     m_direct = fs::exists(target, ignored) && !fs::is_regular_file(target, ignored);
+    if (m_direct && !fs::is_character_file(target, ignored) && !isStandardOutput(target))
+        throw OutputError("cannot write " + target +
+                          ": it is a pipe, socket or disk: name a file, or /dev/stdout");
     // A link keeps pointing where it points: what it points to is replaced.
     const fs::path real = fs::weakly_canonical(target, ignored);
     if (!m_direct && !real.empty()) m_target = real.string();

@@ -18,9 +18,9 @@ json_t evidenceAsJson(const SemanticVoxelMap& map, const Instance& instance)
     auto entries = instance.evidence().entries();
     std::stable_sort(entries.begin(), entries.end(),
                      [](const auto& a, const auto& b) { return a.beta > b.beta; });
-    json_t json = json_t::object();
-    for (const auto& e : entries) json[map.categories().name(e.category)] = e.beta;
-    return json;
+    json_t::object_t object;  // names are unique: they need not be looked for
+    for (const auto& e : entries) object.emplace_back(map.categories().name(e.category), e.beta);
+    return object;
 }
 }  // namespace
 
@@ -39,8 +39,9 @@ json_t toJson(const SemanticVoxelMap& map, const InstanceSummary& summary, const
     json["id"] = summary.id;
     json["category"] = summary.category();
     json["probability"] = summary.probability();
-    json["probabilities"] = json_t::object();
-    for (const auto& c : summary.categories) json["probabilities"][c.name] = c.probability;
+    json_t::object_t probabilities;
+    for (const auto& c : summary.categories) probabilities.emplace_back(c.name, c.probability);
+    json["probabilities"] = std::move(probabilities);
     json["entropy"] = summary.entropy;
     json["vacuity"] = summary.vacuity;
     json["geometric_entropy"] = summary.geometricEntropy;

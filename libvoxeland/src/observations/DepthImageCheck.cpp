@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthImageCheck.h"
 
+#include "CameraCheck.h"
 #include "voxeland/numbers.h"
+#include "voxeland/observations/MaskCamera.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -44,13 +46,16 @@ void checkDepthImage(const CObservation3DRangeScan& scan)
                             sizeText(image.cols(), image.rows()) +
                             " pixels but a calibration for " +
                             sizeText(camera.ncols, camera.nrows) + ": correct its cameraParams");
-    const bool valid = camera.fx() > 0 && camera.fy() > 0 && std::isfinite(camera.cx()) &&
-                       std::isfinite(camera.cy()) && scan.rangeUnits > 0 &&
-                       std::isfinite(scan.rangeUnits);
-    if (!valid)
-        throw UnusableFrame(frameName(scan) +
-                            " has an invalid calibration or depth unit: correct its "
-                            "cameraParams and rangeUnits");
+    if (!(scan.rangeUnits > 0 && std::isfinite(scan.rangeUnits)))
+        throw UnusableFrame(frameName(scan) + " has a depth unit of " +
+                            numberText(static_cast<double>(scan.rangeUnits)) +
+                            " m: correct its rangeUnits");
+    if (const auto problem = problemOf(camera); !problem.empty())
+        throw UnusableFrame(frameName(scan) + " " + problem + ": correct its cameraParams");
+    const TCamera& colour = maskCamera(scan);
+    if (const auto problem = problemOf(colour); &colour != &camera && !problem.empty())
+        throw UnusableFrame("the colour camera of " + frameName(scan) + " " + problem +
+                            ": correct its cameraParamsIntensity");
     if (!isWellInside(camera.cx(), camera.ncols) || !isWellInside(camera.cy(), camera.nrows))
         throw UnusableFrame(frameName(scan) + " has a principal point at (" +
                             fixedText(camera.cx(), 1) + ", " + fixedText(camera.cy(), 1) +

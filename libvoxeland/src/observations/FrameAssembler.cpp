@@ -2,6 +2,7 @@
 #include "voxeland/observations/FrameAssembler.h"
 
 #include "../base/Reading.h"
+#include "voxeland/counted.h"
 #include "voxeland/numbers.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -18,7 +19,8 @@ namespace voxeland
 {
 namespace
 {
-constexpr size_t RECORDINGS_KEPT = 16;  // whose poses are remembered
+constexpr size_t RECORDINGS_KEPT = 16;     // whose poses are remembered
+constexpr size_t MOST_PREDICTIONS = 1000;  // of an image
 
 bool isFinite(const mrpt::math::TPose3D& pose)
 {
@@ -122,6 +124,15 @@ std::shared_ptr<const CObservationInstances> FrameAssembler::withoutOdd(
             m_oddPredictions.add("prediction " + std::to_string(number) + " of the image of " +
                                  mrpt::system::dateTimeToString(observation->timestamp) + " " +
                                  oddity);
+    }
+    if (usable.size() > MOST_PREDICTIONS) {
+        m_oddPredictions.add("of " + counted(usable.size(), "prediction") + " of the image of " +
+                             mrpt::system::dateTimeToString(observation->timestamp) + " the " +
+                             std::to_string(MOST_PREDICTIONS) +
+                             " with the highest scores are used: raise the detector's threshold");
+        std::stable_sort(usable.begin(), usable.end(),
+                         [](const auto& a, const auto& b) { return a.score > b.score; });
+        usable.resize(MOST_PREDICTIONS);
     }
     if (usable.size() == observation->instances.size()) return observation;
     auto changed = std::make_shared<CObservationInstances>(*observation);

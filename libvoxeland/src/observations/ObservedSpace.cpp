@@ -2,6 +2,7 @@
 #include "voxeland/observations/ObservedSpace.h"
 
 #include "voxeland/grid/RayBundle.h"
+#include "voxeland/observations/UnusableFrame.h"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,13 @@ namespace voxeland
 {
 namespace
 {
+[[noreturn]] void throwTooMany()
+{
+    throw UnusableFrame(
+        "it sees more voxels than fit into memory: use a coarser [map] resolution or a smaller "
+        "[voxeland] max_depth");
+}
+
 /** Finds blocks by the keys of their voxels: packed() coordinates relative to a center, each with
  *  its sign flipped: counted from the lowest there is, so that steps do not carry over between axes
  *  near the center. */
@@ -53,6 +61,7 @@ class BlockFinder
     __attribute__((noinline)) void fill(Slot& slot, uint64_t key)
     {
         slot = {key & ~CELL, &m_space.at(blockOf(m_base + unpacked(key ^ SIGNS)))};
+        if (m_space.size() > RayLimits::BLOCKS) throwTooMany();
     }
 
     ObservedSpace& m_space;
@@ -153,8 +162,26 @@ class RayCaster
 };
 }  // namespace
 
+namespace
+{
+/** \throws UnusableFrame if a frame is beyond RayLimits::CELLS or the range of a map */
+void checkExtent(const VoxelizedFrame& frame)
+{
+    const VoxelCoord camera = voxelOf(frame.origin(), 1 / frame.resolution());
+    uint64_t cells = 0;
+    for (const auto* voxels : {&frame.hits(), &frame.beyond()})
+        for (const HitVoxel& h : *voxels) {
+            if (!isInRange(blockOf(h.coord)))
+                throw UnusableFrame("it lies farther off than the map can hold: map it on its own");
+            cells += static_cast<uint64_t>(stepsBetween(camera, h.coord));
+        }
+    if (cells > RayLimits::CELLS) throwTooMany();
+}
+}  // namespace
+
 ObservedSpace castRays(const VoxelizedFrame& frame, double visibilityMargin)
 {
+    checkExtent(frame);
     ObservedSpace space;
     for (const HitVoxel& h : frame.hits()) space.at(blockOf(h.coord)).hit.set(cellOf(h.coord));
     RayCaster caster(frame, visibilityMargin, space);

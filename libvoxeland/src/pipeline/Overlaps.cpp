@@ -4,7 +4,7 @@
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <algorithm>
-#include <limits>
+#include <bitset>
 
 namespace voxeland
 {
@@ -18,27 +18,51 @@ CategoryEvidence numbered(const CategoryDistribution& distribution, CategoryTabl
     return evidence;
 }
 
-/** Fills OpinionOverlaps::shared. Cost: the opinions' voxels, and those they share. */
-void countShared(std::vector<OpinionOverlaps>& opinions, size_t hits)
+/** The voxels of an opinion as bits, by the words that have any. */
+class HitSet
 {
-    struct Claim
+ public:
+    explicit HitSet(const std::vector<OpinionVoxel>& voxels)
     {
-        size_t opinion;
-        size_t earlier;  // number of the previous claim of the same voxel
-    };
-    constexpr size_t NONE = std::numeric_limits<size_t>::max();
-    std::vector<Claim> claims;
-    std::vector<size_t> latest(hits, NONE);
-    for (OpinionOverlaps& o : opinions) o.shared.assign(opinions.size(), 0);
-    for (size_t i = 0; i < opinions.size(); ++i)
-        for (const OpinionVoxel& v : opinions[i].opinion->voxels) {
-            for (size_t c = latest[v.hit]; c != NONE; c = claims[c].earlier) {
-                ++opinions[i].shared[claims[c].opinion];
-                ++opinions[claims[c].opinion].shared[i];
-            }
-            claims.push_back({i, latest[v.hit]});
-            latest[v.hit] = claims.size() - 1;
+        std::vector<uint32_t> hits;
+        for (const OpinionVoxel& v : voxels) hits.push_back(v.hit);
+        std::sort(hits.begin(), hits.end());
+        for (const uint32_t hit : hits) {
+            if (m_words.empty() || m_words.back().first != hit / BITS)
+                m_words.emplace_back(hit / BITS, 0);
+            m_words.back().second |= uint64_t{1} << (hit % BITS);
         }
+    }
+    [[nodiscard]] uint32_t inCommonWith(const HitSet& other) const
+    {
+        uint32_t count = 0;
+        auto a = m_words.begin(), b = other.m_words.begin();
+        while (a != m_words.end() && b != other.m_words.end()) {
+            const uint32_t wordA = a->first, wordB = b->first;
+            if (wordA == wordB)
+                count += static_cast<uint32_t>(std::bitset<BITS>(a->second & b->second).count());
+            a += wordA <= wordB ? 1 : 0;
+            b += wordB <= wordA ? 1 : 0;
+        }
+        return count;
+    }
+
+ private:
+    static constexpr uint32_t BITS = 64;
+    std::vector<std::pair<uint32_t, uint64_t>> m_words;
+};
+
+/** Fills OpinionOverlaps::shared. Cost: each pair of opinions, and a 64th of its voxels. */
+void countShared(std::vector<OpinionOverlaps>& opinions)
+{
+    std::vector<HitSet> hits;
+    for (OpinionOverlaps& o : opinions) {
+        hits.emplace_back(o.opinion->voxels);
+        o.shared.assign(opinions.size(), 0);
+    }
+    for (size_t i = 0; i < opinions.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            opinions[i].shared[j] = opinions[j].shared[i] = hits[i].inCommonWith(hits[j]);
 }
 }  // namespace
 
@@ -91,7 +115,7 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, dou
         }
         result.push_back(std::move(overlaps));
     }
-    countShared(result, frame.voxels.hits().size());
+    countShared(result);
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "../observations/DepthImageCheck.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 #include "voxeland/observations/MaskCamera.h"
 #include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/Integration.h"
@@ -21,11 +22,15 @@ namespace
 void decode(const RgbdFrame& frame, StageTimes& times)
 {
     const StageTimer timer(times, Stage::decode);
+    const auto& scan = *frame.scan;
+    const std::string file = scan.rangeImage_isExternallyStored()
+                                 ? scan.rangeImage_getExternalStorageFileAbsolutePath("")
+                                 : std::string();
     try {
-        frame.scan->load();
+        if (!file.empty()) checkInputFile(file, "the depth image");
+        scan.load();
     } catch (const std::exception&) {
-        throw UnusableFrame("the depth image '" +
-                            frame.scan->rangeImage_getExternalStorageFileAbsolutePath("") +
+        throw UnusableFrame("the depth image '" + file +
                             "' cannot be read: restore the rawlog's folder of images");
     }
 }
@@ -105,7 +110,11 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
     checkOpinions(opinions, voxels, *m_config.converter);
     auto space = [&] {
         const StageTimer timer(times, Stage::rays);
-        return castRays(voxels, m_config.integration.visibility_margin);
+        try {
+            return castRays(voxels, m_config.integration.visibility_margin);
+        } catch (const UnusableFrame& e) {
+            throw UnusableFrame(frameName(*frame.scan) + ": " + e.what());
+        }
     }();
     checkRange(frame, isInRange(space));
     std::optional<PoseUncertainty> uncertainty;

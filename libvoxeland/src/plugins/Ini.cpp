@@ -135,10 +135,12 @@ std::pair<std::string, std::string> identity(std::string section, std::string ke
 
 Ini Ini::fromFile(const std::string& file)
 {
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file))
+    std::error_code ignored;
+    std::ifstream in;
+    if (std::filesystem::is_regular_file(file, ignored)) in.open(file);
+    if (!in.is_open())
         throw ConfigurationError("cannot read the configuration '" + file +
-                                 "': give the path of an INI file");
+                                 "': give the path of an INI file, not of a folder or pipe");
     std::ostringstream text;
     text << in.rdbuf();
     Ini ini = fromText(text.str(), file);

@@ -3,6 +3,7 @@
 
 #include "voxeland/errors.h"
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -12,7 +13,8 @@ namespace
 {
 std::string textOf(const std::string& file)
 {
-    std::ifstream in(file, std::ios::binary);
+    std::ifstream in;
+    if (std::filesystem::is_regular_file(file)) in.open(file, std::ios::binary);
     std::ostringstream text;
     if (!(text << in.rdbuf()))
         throw ConfigurationError("the report's 3D view needs '" + file +

@@ -6,6 +6,7 @@
 #include "voxeland/counted.h"
 #include "voxeland/datasets/CategoryNames.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 #include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/plugins/ClusteringKeys.h"
 
@@ -32,7 +33,10 @@ cv::Mat colourImage(const mrpt::obs::CObservation3DRangeScan& scan)
         throw UnusableFrame(frame + " has no colour image, which a network needs");
     cv::Mat image;
     try {
-        image = scan.intensityImage.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
+        const auto& stored = scan.intensityImage;
+        if (stored.isExternallyStored())
+            checkInputFile(stored.getExternalStorageFileAbsolutePath(), "the colour image");
+        image = stored.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
     } catch (const std::exception&) {
         throw UnusableFrame("the colour image of " + frame +
                             " cannot be read: restore the rawlog's folder of images");

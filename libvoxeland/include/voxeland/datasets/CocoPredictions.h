@@ -28,12 +28,13 @@ namespace voxeland
 class CocoPredictions
 {
  public:
-    /** A prediction whose polygons, if any, wait for the size of the image. */
+    /** A prediction whose mask is made for one image after the other: it may be large. */
     struct Entry
     {
-        size_t place = 0;  //!< in the file, from 0
-        InstancePrediction prediction;
-        std::vector<std::vector<double>> polygons;
+        size_t place = 0;               //!< in the file, from 0
+        InstancePrediction prediction;  //!< without a mask
+        RunLengthMask columns;          //!< the mask transposed, its runs going down the columns
+        std::vector<std::vector<double>> polygons;  //!< instead, if any
     };
     /** An image, with what was found in it. */
     struct Image

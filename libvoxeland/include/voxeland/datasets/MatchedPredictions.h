@@ -34,9 +34,9 @@ class MatchedPredictions
     [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
-    [[nodiscard]] InstancePrediction predictionOf(const CocoPredictions::Image& image,
-                                                  const CocoPredictions::Entry& entry, int width,
-                                                  int height) const;
+    /** Whether a mask is of an image of this size. \throws InputError if it is not, as most are */
+    [[nodiscard]] bool fits(const CocoPredictions::Image& image,
+                            const CocoPredictions::Entry& entry, int width, int height) const;
     void checkWithoutFrame();
 
     const CocoPredictions& m_predictions;

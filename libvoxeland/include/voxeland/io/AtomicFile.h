@@ -11,12 +11,13 @@ class OutputPart;
 
 /** A file being written under a temporary name in the folder of its target (see
  *  OutputPart), so that nobody ever sees half of it: write to part(), then commit().
- * Targets that are no regular files (devices, pipes) are written directly. */
+ * Character devices, such as /dev/null, and /dev/stdout are written directly. */
 class AtomicFile
 {
  public:
     /** Nothing is created yet.
-     *  \throws OutputError if the target's folder does not exist or the target is a folder */
+     *  \throws OutputError if the target's folder does not exist, or the target is a folder, a pipe
+     *  that nobody may read, a socket or a disk */
     explicit AtomicFile(const std::string& target);
     /** Removes the part that was asked for unless commit() was called. */
     ~AtomicFile();

@@ -20,9 +20,17 @@ struct ObservedBlock
 /** The part of space one frame saw. */
 using ObservedSpace = BlockMap<ObservedBlock>;
 
+/** What the rays of one frame may go through: more would take minutes, or gigabytes. */
+struct RayLimits
+{
+    static constexpr uint64_t CELLS = 500000000;  //!< those of all rays together
+    static constexpr size_t BLOCKS = 1000000;     //!< of 8x8x8 cells
+};
+
 /** Casts one exact ray from the optical centre to the mean point of every hit voxel, and on by
  *  `visibilityMargin` behind it; and one to every voxel of VoxelizedFrame::beyond(), that voxel not
  *  included.
- *  \param visibilityMargin depth noise within which a voxel counts as seen [m] */
+ *  \param visibilityMargin depth noise within which a voxel counts as seen [m]
+ *  \throws UnusableFrame if it is beyond RayLimits, or farther off than a map can hold */
 ObservedSpace castRays(const VoxelizedFrame& frame, double visibilityMargin);
 }  // namespace voxeland
