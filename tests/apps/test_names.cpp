@@ -88,6 +88,31 @@ TEST_F(Names, StayAsTheyAreInJson)
     EXPECT_TRUE(categories.contains(std::string(100000, 'x')));
 }
 
+TEST_F(Names, MakeNoWayOutOfAFolderOrAPage)
+{
+    const auto exported =
+        run("voxeland-export", {"-m", map(), "--per-instance", m_folder.file("objects")});
+    EXPECT_EQ(exported.exitCode, 0) << exported.errors;
+    size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder.file("objects"))) {
+        const std::string name = entry.path().filename().string();
+        ++files;
+        EXPECT_LE(name.size(), 80U);
+        EXPECT_EQ(name.find_first_not_of("0123456789_-abcdefghijklmnopqrstuvwxyz.J"),
+                  std::string::npos)
+            << name;
+    }
+    EXPECT_GE(files, 2U);
+
+    const auto reported =
+        run("voxeland-report", {"-m", map(), "-o", m_folder.file("page.html"), "--title", HOSTILE});
+    EXPECT_EQ(reported.exitCode, 0) << reported.errors;
+    const std::string page = test::readFile(m_folder.file("page.html"));
+    EXPECT_EQ(page.find("cup</script>"), std::string::npos);
+    EXPECT_EQ(page.find("<b>\xC2"), std::string::npos);
+    EXPECT_EQ(page.find(std::string(200, 'x')), std::string::npos) << "a name is cut";
+}
+
 TEST_F(Names, OfCommandLinesAreShownEscapedAndShortened)
 {
     for (const std::string& word : {HOSTILE, std::string(20000, 'x'), "a.b" + HOSTILE + "=1"}) {

@@ -83,3 +83,11 @@ TEST_F(UnfinishedPredictionsTest, SaysWhereItCannotBeKept)
         EXPECT_NE(std::string(e.what()).find("missing/k.unfinished"), std::string::npos);
     }
 }
+
+TEST_F(UnfinishedPredictionsTest, WhatALinkLeadsToIsLeftAlone)
+{
+    test::writeFile(m_folder.file("mine.txt"), "mine");
+    fs::create_symlink(m_folder.file("mine.txt"), m_file);
+    EXPECT_THROW(askedUpTo(1), OutputError);
+    EXPECT_EQ(test::readFile(m_folder.file("mine.txt")), "mine");
+}

@@ -7,7 +7,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -48,11 +51,31 @@ bool isOf(std::istream& in, uint64_t fileSize, const std::string& origin)
     return in.read(title.data(), static_cast<std::streamsize>(title.size())) && title == TITLE &&
            readRecord(in, fileSize, found) && std::string(found.begin(), found.end()) == origin;
 }
+/** Makes sure that a file is, or may be made, one of ours: what a link leads to would be lost.
+ *  \throws OutputError if not */
+void checkOwn(const std::string& file)
+{
+    const int opened =
+        open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    const int error = errno;
+    struct stat status
+    {
+    };
+    const bool isFile = opened >= 0 && fstat(opened, &status) == 0 && S_ISREG(status.st_mode);
+    if (opened >= 0) close(opened);
+    if (isFile) return;
+    const bool isOther = opened >= 0 || error == ELOOP || error == EISDIR || error == ENXIO;
+    throw OutputError(
+        "cannot write " + file + ": " +
+        (isOther ? "it is a link, a folder or a device: remove it" : std::strerror(error)));
+}
 }  // namespace
 
 UnfinishedPredictions::UnfinishedPredictions(std::string file, const std::string& origin)
-    : m_file(std::move(file)), m_kept(m_file, std::ios::binary)
+    : m_file(std::move(file))
 {
+    checkOwn(m_file);
+    m_kept.open(m_file, std::ios::binary);
     std::error_code error;
     const uint64_t size = fs::file_size(m_file, error);
     if (m_kept && !error && isOf(m_kept, size, origin)) {

@@ -107,14 +107,16 @@ class PlyWriter
     VoxelUncertainty m_uncertainty;
 };
 
-/** "12_dining_table": letters and digits of the category, so that any file system takes it. */
+/** "12_dining_table": letters and digits of the category, so that any file system takes it, and
+ * not too many of them. */
 std::string fileNameOf(instance_id_t id, const std::string& category)
 {
-    std::string name = std::to_string(id) + "_" + category;
+    constexpr size_t LONGEST = 60;
+    std::string name = category.substr(0, LONGEST);
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '-'; },
         '_');
-    return name + ".ply";
+    return std::to_string(id) + "_" + name + ".ply";
 }
 }  // namespace
 

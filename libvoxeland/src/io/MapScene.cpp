@@ -6,6 +6,7 @@
 #include "voxeland/io/GzOutputFile.h"
 #include "voxeland/io/OrientedBox.h"
 #include "voxeland/map/MapQueries.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/opengl/CBox.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
@@ -43,7 +44,7 @@ void insertInstance(mrpt::opengl::CSetOfObjects& objects, const InstanceSummary&
     frame->setPose(poseOf(box.axes, box.center));
     frame->setColor_u8(toMrpt(color));
     objects.insert(frame);
-    const std::string name = std::to_string(summary.id) + " " + summary.category();
+    const std::string name = std::to_string(summary.id) + " " + printable(summary.category());
     const auto text = mrpt::opengl::CText::Create(name);
     text->setLocation(box.center + box.axes.axes()[2] * (box.size.z / 2));
     text->setColor_u8(0, 0, 0);

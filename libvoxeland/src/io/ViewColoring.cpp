@@ -3,6 +3,7 @@
 
 #include "voxeland/ClassicNumbers.h"
 #include "voxeland/map/MapQueries.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 
@@ -14,6 +15,7 @@ namespace voxeland
 {
 namespace
 {
+constexpr size_t LONGEST_NAME = 40;
 constexpr uint32_t LABELLED = 5;  //!< voxels an instance must have for a label in the picture
 
 /** The biggest instances first. */
@@ -32,7 +34,9 @@ ViewColoring byInstance(const SemanticVoxelMap& map, const VoxelScene& scene)
     for (const SceneVoxel& v : scene.voxels()) coloring.colors.push_back(palette.at(v.winner));
     for (const InstanceSummary& s : bySize(map)) {
         coloring.legend.push_back(
-            {palette.at(s.id), format("%u %s %.2f", s.id, s.category().c_str(), s.probability())});
+            {palette.at(s.id),
+             format("%u %s %.2f", s.id, printable(s.category(), LONGEST_NAME).c_str(),
+                    s.probability())});
         if (s.voxels >= LABELLED)
             coloring.labels.push_back({scene.toLevel(map.inMap(s.centroid)), std::to_string(s.id)});
     }
@@ -58,7 +62,8 @@ ViewColoring byCategory(const SemanticVoxelMap& map, const VoxelScene& scene)
         coloring.colors.push_back(at == categoryOf.end() ? UNKNOWN_COLOR : palette.at(at->second));
     }
     for (const auto& [name, color] : palette)
-        coloring.legend.push_back({color, format("%s (%u)", name.c_str(), counts[name])});
+        coloring.legend.push_back(
+            {color, format("%s (%u)", printable(name, LONGEST_NAME).c_str(), counts[name])});
     coloring.legend.push_back({UNKNOWN_COLOR, UNKNOWN_CATEGORY});
     return coloring;
 }

@@ -7,6 +7,7 @@
 #include "voxeland/io/MapAnswers.h"
 #include "voxeland/io/MapViews.h"
 #include "voxeland/io/UpDirection.h"
+#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/system/string_utils.h>
@@ -72,12 +73,12 @@ json instancesOf(const SemanticVoxelMap& map, const std::vector<FoundInstance>& 
         json probabilities = json::array();
         constexpr size_t SHOWN = 5;
         for (size_t i = 0; i < std::min(SHOWN, s.categories.size()); ++i)
-            probabilities.push_back({s.categories[i].name, s.categories[i].probability});
+            probabilities.push_back({printable(s.categories[i].name), s.categories[i].probability});
         json axes = json::array();
         for (const auto& axis : box.axes.axes()) axes.push_back(list(axis));
         all.push_back(
             {{"id", s.id},
-             {"category", s.category()},
+             {"category", printable(s.category())},
              {"probability", s.probability()},
              {"probabilities", probabilities},
              {"entropy", s.entropy},
