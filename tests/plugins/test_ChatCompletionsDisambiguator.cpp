@@ -325,11 +325,33 @@ TEST_F(ChatCompletions, noProxySeesWhatStaysOnThisMachine)
     fs::create_directory(m_kept.file("proxied"));
     const test::VisionServer proxy(m_kept.file("proxied"));
     unsetenv("no_proxy");
+    for (const char* variable : {"http_proxy", "all_proxy"}) {
+        setenv(variable, ("http://127.0.0.1:" + proxy.port()).c_str(), 1);
+        EXPECT_NE(answerOf(asking("")), "");
+        unsetenv(variable);
+    }
+    EXPECT_EQ(requests(), 2U);
+    EXPECT_TRUE(fs::is_empty(m_kept.file("proxied")));
+}
+
+TEST_F(ChatCompletions, noProxySeesAKeyInClear)
+{
+    fs::create_directory(m_kept.file("proxied"));
+    const test::VisionServer proxy(m_kept.file("proxied"));
+    unsetenv("no_proxy");
     setenv("http_proxy", ("http://127.0.0.1:" + proxy.port()).c_str(), 1);
-    const auto answer = asking("")->ask(couchOrChair());
+    const auto chat = [](const std::string& keys) {
+        return test::backend("chat_completions", "CChatCompletionsDisambiguator",
+                             "model = m\nretries = 0\nsend_key_unencrypted = true\n" + keys);
+    };
+    for (const char* url : {"http://no-such-host.invalid/v1", "http://127.0.0.1.invalid/v1"})
+        expectError(errorOf(chat("base_url = " + std::string(url) +
+                                 "\napi_key_env = " + KEY_VARIABLE + "\n")),
+                    true, "cannot be asked");
+    EXPECT_TRUE(fs::is_empty(m_kept.file("proxied")));
+    // Without a key a proxy is what the user wants: it answers, though not well.
+    expectError(errorOf(chat("base_url = http://no-such-host.invalid/v1\n")), true, "(404)");
     unsetenv("http_proxy");
-    EXPECT_EQ(requests(), 1U);
-    EXPECT_FALSE(fs::exists(m_kept.file("proxied/1.json")));
 }
 
 TEST_F(ChatCompletions, aKeyOfOneStarIsHiddenToo)
