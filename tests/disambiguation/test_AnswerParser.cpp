@@ -416,3 +416,46 @@ TEST(AnswerParser, theFinalAnswerOverrulesWhatIsSaidBefore)
         {"It may be a bed or a chair. The object category is chair.", "chair"},
     });
 }
+
+TEST(AnswerParser, whatIsRepeatedManyTimesEnds)
+{
+    for (const std::string part : {"(",
+                                   ":",
+                                   "\n",
+                                   ":(",
+                                   "not ",
+                                   "no\n",
+                                   "answer: ",
+                                   "answer:\n",
+                                   "category is of the ",
+                                   "it is ",
+                                   "a the ",
+                                   "chair or ",
+                                   "on a wooden ",
+                                   "<answer>",
+                                   "<a>",
+                                   "<think></think>",
+                                   "</think>",
+                                   "<think>",
+                                   "so, ",
+                                   "1) ",
+                                   "final answer ",
+                                   "\\boxed{",
+                                   "maybe chair, "})
+    {
+        std::string answer;
+        while (answer.size() < 300000) answer += part;
+        understood(answer, FURNITURE);
+        EXPECT_EQ(
+            understood("<think>" + answer + "</think>\nThe object category is couch", FURNITURE),
+            "couch")
+            << part;
+    }
+}
+
+TEST(AnswerParser, ofALongAnswerTheEndCounts)
+{
+    const std::string words(LONGEST_ANSWER, 'x');
+    EXPECT_EQ(understood("chair\n" + words, FURNITURE), "-");
+    EXPECT_EQ(understood(words + "\nThe object category is chair", FURNITURE), "chair");
+}

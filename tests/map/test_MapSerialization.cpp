@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapBuilding.h"
 #include "support/MapBytes.h"
+#include "voxeland/errors.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -208,4 +210,44 @@ TEST(MapSerialization, WhatIsNoEvidenceIsNeverWritten)
     const SemanticVoxelMap read = mapFrom(bytesOf(map));
     EXPECT_EQ(read.evidence({1, 0, 0}), nullptr);
     EXPECT_TRUE(read.instance(2).decisions.empty());
+}
+
+TEST(MapSerialization, AbsorbedInstancesThatLeadInACircleAreRefused)
+{
+    SemanticVoxelMap map;
+    for (int i = 0; i < 4; ++i) map.addEvidence({i, 0, 0}, map.createInstance().id, 1);
+    map.merge(2, 1, 0);
+    map.merge(4, 3, 0);
+    const std::string bytes = bytesOf(map);
+    const auto pairs = [](std::array<uint32_t, 4> ids) {
+        std::string text;
+        for (const uint32_t id : ids) text += bytesOf(id);
+        return text;
+    };
+    const std::string written = pairs({1, 2, 3, 4});
+    EXPECT_EQ(refusal(bytes, written, written), "accepted");
+    EXPECT_EQ(refusal(bytes, written, pairs({1, 3, 3, 1})), "corrupt map: an impossible merge");
+    EXPECT_EQ(refusal(bytes, written, pairs({1, 1, 3, 4})), "corrupt map: an impossible merge");
+    EXPECT_EQ(refusal(bytes, written, pairs({1, 0xFFFFFFFF, 3, 4})),
+              "corrupt map: a merge with an instance it lacks");
+}
+
+TEST(MapSerialization, TheLastIdIsNotPassed)
+{
+    SemanticVoxelMap map;
+    map.addEvidence({0, 0, 0}, map.createInstance().id, 1);
+    std::string bytes = bytesOf(map);
+    const std::string next = bytesOf(uint32_t{2});
+    size_t full = 0;
+    for (size_t at = bytes.find(next); at != std::string::npos; at = bytes.find(next, at + 1)) {
+        std::string changed = bytes;
+        changed.replace(at, next.size(), bytesOf(uint32_t{0xFFFFFFFF}));
+        try {
+            mapFrom(changed).createInstance();
+        } catch (const InputError&) {
+            ++full;
+        } catch (const std::runtime_error&) {  // it was another number that is 2
+        }
+    }
+    EXPECT_EQ(full, 1U);
 }

@@ -6,6 +6,7 @@
 #include "voxeland/errors.h"
 #include "voxeland/files/InputFile.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <tinyxml2.h>
@@ -39,9 +40,9 @@ std::map<int64_t, std::string> readCategories(const std::string& file)
     checkInputFile(file, "the annotation");
     tinyxml2::XMLDocument document;
     if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS)
-        throw InputError("cannot read " + file + " as XML (" +
-                         tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + ", line " +
-                         std::to_string(document.ErrorLineNum()) + ").");
+        throw InputError(file + " is not valid XML at line " +
+                         std::to_string(std::max(1, document.ErrorLineNum())) +
+                         ": correct it there, or copy the annotation again");
     const auto* root = document.RootElement();
     if (root == nullptr)
         throw InputError(file + " holds no XML element: give SceneNN's annotation");

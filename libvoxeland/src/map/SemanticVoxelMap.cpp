@@ -151,7 +151,7 @@ instance_id_t SemanticVoxelMap::resolve(instance_id_t id) const
 Instance& SemanticVoxelMap::createInstance()
 {
     if (m_nextInstance == std::numeric_limits<instance_id_t>::max())
-        throw std::length_error("the map has no numbers left for instances");
+        throw InputError("the map has no numbers left for instances: begin a new one");
     Instance& i = m_instances[m_nextInstance];
     i.id = m_nextInstance++;
     return i;

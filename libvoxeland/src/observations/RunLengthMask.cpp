@@ -12,7 +12,11 @@ RunLengthMask::RunLengthMask(int width, int height, std::vector<uint32_t> runs)
     : m_width(width), m_height(height), m_runs(std::move(runs))
 {
     const uint64_t pixels = std::accumulate(m_runs.begin(), m_runs.end(), uint64_t{0});
-    if (width < 0 || height < 0 || pixels > MOST_PIXELS ||
+    if (pixels > MOST_PIXELS)
+        throw std::invalid_argument("mask of " + std::to_string(width) + "x" +
+                                    std::to_string(height) + " pixels is larger than an image of " +
+                                    std::to_string(MOST_PIXELS / 1000000) + " megapixels");
+    if (width < 0 || height < 0 ||
         pixels != static_cast<uint64_t>(width) * static_cast<uint64_t>(height))
         throw std::invalid_argument("mask of " + std::to_string(width) + "x" +
                                     std::to_string(height) + " pixels has runs for " +

@@ -10,7 +10,7 @@
 namespace voxeland
 {
 /** Of an answer that is longer without its thoughts the last part counts [bytes]. */
-constexpr size_t LONGEST_ANSWER = 16384;
+constexpr size_t LONGEST_ANSWER = 8192;
 
 /** The category an answer names: one of the candidates, or UNKNOWN_CATEGORY_ID for "unknown" or
  * "none of these". It is understood as a person would, and never guessed.
