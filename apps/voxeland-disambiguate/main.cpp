@@ -22,6 +22,7 @@
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/plugins/PluginLoader.h"
+#include "voxeland/printable.h"
 #include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <algorithm>
@@ -163,8 +164,9 @@ void sayWaiting(const DisambiguationReport& report, const std::string& howToAnsw
     size_t waiting = 0;
     for (const ReportedQuestion& q : report.questions()) waiting += q.outcome.waiting ? 1 : 0;
     if (waiting == 0 || howToAnswer.empty()) return;
-    std::cout << counted(waiting, "question") << " without an answer: " << howToAnswer
-              << ", then go on with\n  " << apps::asTyped(command) << "\n";
+    std::cout << counted(waiting, "question")
+              << " without an answer: " << printable(howToAnswer, UNCUT) << ", then go on with\n  "
+              << apps::asTyped(command) << "\n";
 }
 
 /** Ends the program without waiting for what is being asked. */

@@ -238,6 +238,19 @@ TEST(OptionList, WhatTheUserSaysOverAMapIsTaken)
     EXPECT_EQ(o.list.leftToUser(), std::vector<std::string>{"[s] safe = 'no'"});
 }
 
+TEST(OptionList, OfAMapOnlyPlainTextsAreTaken)
+{
+    for (const std::string label : {"\xC2\x9B"
+                                    "31m",
+                                    "cup\xE2\x80\xAEgpj", "${X}", "$eval{1+1}", "a$env{HOME}"})
+    {
+        const std::string text = "[s]\nlabel = " + label + "\n";
+        EXPECT_EQ(GuardedOptions(Ini::fromMap(text, "m.voxeland")).label, "none") << label;
+    }
+    const std::string text = "[s]\nlabel = S\xC3\xBC\xC3\x9F 5$ {a}\n";
+    EXPECT_EQ(GuardedOptions(Ini::fromMap(text, "m.voxeland")).label, "S\xC3\xBC\xC3\x9F 5$ {a}");
+}
+
 TEST(OptionList, PrintsTheEnvironmentByName)
 {
     setenv("VOXELAND_TEST_VALUE", "7", 1);

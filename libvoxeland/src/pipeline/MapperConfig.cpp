@@ -283,7 +283,9 @@ MapperConfig::MapperConfig(const Ini& ini, Purpose purpose, const Tell& tell)
         ini, "disambiguation", "CTopCategoryDisambiguator", problems, !maps,
         [this](OptionList& list) { declare(list, disambiguation); });
     std::vector<const OptionList*> needed = {&disambiguationSection.options};
-    if (maps) needed = {&inputList, &converterSection.options, &associationSection.options};
+    if (maps)
+        needed = {&inputList, &mapList, &converterSection.options, &associationSection.options,
+                  &refinementList};
     if (const std::string left = leftToUser(needed, ini.mapName()); tell && !left.empty())
         tell(left);
     problems.report(ini.origin());

@@ -3,6 +3,7 @@
 
 #include "voxeland/numbers.h"
 #include "voxeland/plugins/Ini.h"
+#include "voxeland/printable.h"
 #include "voxeland/trimmed.h"
 
 #include <algorithm>
@@ -25,12 +26,13 @@ std::string lowerCase(std::string text)
     return text;
 }
 
-/** Whether MRPT would put something else in a text's place. */
-bool isExpandable(const std::string& text)
+/** Whether a text is no more than it seems: MRPT would put nothing else in its place, and a
+ * terminal shows it. */
+bool isPlain(const std::string& text)
 {
     for (const char* begin : {"${", "$env{", "$eval{"})
-        if (text.find(begin) != std::string::npos) return true;
-    return false;
+        if (text.find(begin) != std::string::npos) return false;
+    return printable(text, UNCUT) == text;
 }
 
 /** Number of single-character edits between two words (Levenshtein). */
@@ -162,7 +164,7 @@ void OptionList::load(const Ini& ini, const std::string& section,
         }
         const std::string value = ini.value(section, key);
         const bool isLeftToUser =
-            ini.isOfMap(section, key) && (!option->ofMaps(value) || isExpandable(value));
+            ini.isOfMap(section, key) && (!option->ofMaps(value) || !isPlain(value));
         if (isLeftToUser) {
             if (value != option->print())
                 m_leftToUser.push_back("[" + section + "] " + option->key + " = '" + value + "'");

@@ -248,7 +248,7 @@ std::shared_ptr<Plugin> createPlugin(const ClassId* base, const std::string& cla
 void listPlugins(std::ostream& out, const std::vector<std::string>& searchPath)
 {
     for (const std::string& file : loadAll(searchPath))
-        out << file << ": not a plugin of this version\n";
+        out << printable(file, UNCUT) << ": not a plugin of this version\n";
     for (const auto* base : bases()) {
         out << base->className << ":\n";
         for (const ClassId* id : classesOf(base))
