@@ -188,7 +188,7 @@ struct PluginSection
             object = created(ini, defaultClass);
         } catch (const PluginError& e) {
             if (isNeeded || !ini.isOfMap(section, "class"))
-                problems.plugins.push_back(whyNone(e, choice));
+                problems.plugins.push_back(whyNone(e, ini));
             return;  // which other keys there are is not known
         }
         options.add("class", className, object->description(), OptionList::anyValue);
@@ -199,13 +199,14 @@ struct PluginSection
     }
 
  private:
-    [[nodiscard]] std::string whyNone(const PluginError& e, const OptionList& choice) const
+    [[nodiscard]] std::string whyNone(const PluginError& e, const Ini& ini) const
     {
-        if (choice.leftToUser().empty()) return e.what();
-        return "the map was made with the class '" + printable(className) +
-               "' of another library, which is not loaded because a map says so: give it again as "
-               "key 'plugin' of [" +
-               section + "], with -c or --set (" + printable(choice.leftToUser().back()) + ")";
+        const std::string named =
+            ini.isOfMap(section, "plugin") ? ini.value(section, "plugin") : "";
+        if (named.empty()) return e.what();
+        return "the class '" + printable(className) + "' is of the library '" + printable(named) +
+               "', which a map does not get loaded: give the key 'plugin' of [" + section +
+               "] again, with -c or --set";
     }
 
     std::shared_ptr<Base> created(const Ini& ini, const std::string& defaultClass)
