@@ -81,6 +81,16 @@ TEST_F(NamedFile, MayBeAnywhereIfTheUserVouchesForIt)
               folder() / "../out.png");
 }
 
+TEST_F(NamedFile, ALinkIsSaidToBeOne)
+{
+    try {
+        static_cast<void>(namedFile(folder(), "away.png", "r.rawlog", Links::staysInside, false));
+        FAIL() << "taken";
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("a link out of"), std::string::npos) << e.what();
+    }
+}
+
 TEST_F(NamedFile, IsNamedInTheRefusal)
 {
     try {

@@ -39,7 +39,9 @@ fs::path namedFile(const fs::path& folder, const std::string& name, const std::s
                    Links links, bool trusted)
 {
     if (trusted || isInside(folder, name, links)) return folder / name;
-    throw InputError("'" + namedBy + "' names '" + printable(name) + "', which is not in '" +
+    const bool isLink = isInside(folder, name, Links::followed);
+    throw InputError("'" + namedBy + "' names '" + printable(name) +
+                     (isLink ? "', which is a link out of '" : "', which is not in '") +
                      folder.string() + "': if that is right, say --trust-paths");
 }
 }  // namespace voxeland
