@@ -113,6 +113,18 @@ TEST(OptionList, BadWordsAreProblemsThatListTheGoodOnes)
     EXPECT_TRUE(contains(problemOf("enabled = perhaps"), "true"));
 }
 
+TEST(OptionList, ATextThatCouldNotBeReadBackIsAProblem)
+{
+    Options o;
+    Ini ini;
+    ini.set("s.name=a\\");
+    std::vector<std::string> problems;
+    o.list.load(ini, "s", problems);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_TRUE(contains(problems[0], "backslash")) << problems[0];
+    EXPECT_EQ(o.name, "none");
+}
+
 TEST(OptionList, ATrailingCommentWithAHashIsExplained)
 {
     for (const char* line :

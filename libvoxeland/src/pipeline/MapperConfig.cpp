@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/MapperConfig.h"
 
+#include "voxeland/counted.h"
 #include "voxeland/errors.h"
 #include "voxeland/joined.h"
 #include "voxeland/pipeline/PoseSource.h"
@@ -151,13 +152,28 @@ struct Problems
 {
     std::vector<std::string> settings, plugins;
 
+    /** As many as a person reads. */
+    static std::string listed(const std::vector<std::string>& all)
+    {
+        constexpr size_t LONGEST = 800;
+        std::string text;
+        for (size_t i = 0; i < all.size(); ++i) {
+            const std::string next = printableSentence(all[i]);
+            if (i > 0 && text.size() + next.size() > LONGEST)
+                return text + "; and " + counted(all.size() - i, "more problem");
+            text += (i == 0 ? "" : "; ") + next;
+        }
+        return text;
+    }
+
     /** Throws what there is, all in one message. */
     void report(const std::string& origin) const
     {
         std::vector<std::string> all = plugins;
         all.insert(all.end(), settings.begin(), settings.end());
         if (all.empty()) return;
-        const std::string message = "configuration of '" + origin + "': " + joined(all, "; ");
+        const std::string message =
+            "configuration of '" + printableSentence(origin) + "': " + listed(all);
         if (!plugins.empty()) throw PluginError(message);
         throw ConfigurationError(message);
     }

@@ -237,7 +237,8 @@ std::string Ini::value(const std::string& section, const std::string& key) const
 
 std::optional<std::string> Ini::written(const std::string& section, const std::string& key) const
 {
-    if (m_unknownAsWritten.count(identity(section, key)) > 0) return std::nullopt;
+    if (m_unknownAsWritten.count(identity(section, key)) > 0 || !m_written.keyExists(section, key))
+        return std::nullopt;
     return m_written.read_string(section, key, "");
 }
 

@@ -78,8 +78,10 @@ void OptionList::add(const std::string& key, std::string& variable, const std::s
     addText(
         key, [&variable] { return variable; },
         [&variable](const std::string& text) {
+            if (!text.empty() && text.back() == '\\')
+                return "ends with a backslash, by which a line goes on: leave it out";
             variable = text;
-            return std::string();
+            return "";
         },
         comment);
     m_options.back().ofMaps = ofMaps;
