@@ -4,6 +4,7 @@
 #include "common/CommandLine.h"
 #include "common/TrustPathsArgument.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/InputFile.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/plugins/PluginLoader.h"
 
@@ -122,19 +123,49 @@ struct Arguments : apps::CommandLine
     apps::TrustPathsArgument trustPaths{parser()};
 };
 
+/** What MRPT's applications say of an INI for programmers, in words for users; empty if it is
+ *  something else. */
+std::string problemOfIni(const std::string& message, const std::string& ini)
+{
+    static const std::string BEGIN = "Value '", MIDDLE = "' not found in section '";
+    const size_t key = message.find(BEGIN), middle = message.find(MIDDLE);
+    if (key != std::string::npos && middle != std::string::npos) {
+        const size_t section = middle + MIDDLE.size();
+        return "'" + ini + "' has no key '" +
+               message.substr(key + BEGIN.size(), middle - key - BEGIN.size()) +
+               "' in its section [" +
+               message.substr(section, message.find('\'', section) - section) +
+               "]: add it (share/config/mrpt has complete ones)";
+    }
+    if (message.find("Neither grid maps nor points map") != std::string::npos)
+        return "'" + ini +
+               "' defines neither a grid map nor a points map, which icp-slam needs: add one "
+               "(share/config/mrpt has complete ones)";
+    return {};
+}
+
 /** \param arguments the application's name and arguments, as its main() would get them */
 template <class Application>
 int runApplication(Application& application, Arguments& options, int count, char** arguments)
 {
     application.setMinLoggingLevel(options.quiet() ? mrpt::system::LVL_ERROR : options.verbosity());
     application.trustsPaths = options.trustPaths.isSet();
+    const std::string ini = count > 1 ? arguments[1] : "";
     try {
+        if (!ini.empty()) checkInputFile(ini, "the INI");  // MRPT would wait for a pipe
         application.initialize(count, arguments);
     } catch (const std::exception& e) {
-        throw ConfigurationError(apps::sentence(e));
+        const std::string problem = problemOfIni(apps::sentence(e), ini);
+        throw ConfigurationError(problem.empty() ? apps::sentence(e) : problem);
     }
-    checkMaps(arguments[1]);
-    application.run();
+    checkMaps(ini);
+    try {
+        application.run();
+    } catch (const std::exception& e) {
+        const std::string problem = problemOfIni(apps::sentence(e), ini);
+        if (!problem.empty()) throw ConfigurationError(problem);
+        throw;
+    }
     return 0;
 }
 

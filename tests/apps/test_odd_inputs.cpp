@@ -103,6 +103,7 @@ TEST_F(OddInputs, onlyRegularFilesAreRead)
             sentenceOf(3, program, arguments);
     for (const std::string& odd : {pipe, std::string("/dev/zero")}) {
         sentenceOf(1, "rawlog2voxeland", {"--check-config", "-c", odd});
+        sentenceOf(1, "voxeland-run", {"icp-slam", odd, rawlog()});
         sentenceOf(3, "voxeland-eval", {"-m", from, "--gt", odd});
         sentenceOf(3, "rgbd2rawlog",
                    {"--format", "scannet", "--input", odd, "--output", "p.rawlog"});
@@ -132,4 +133,14 @@ TEST_F(OddInputs, aHeaderMayPromiseAnyNumberOfNothing)
     const auto result =
         test::runProgram("voxeland-eval", {"-m", map(), "--gt", m_folder.path().string()});
     EXPECT_EQ(result.exitCode, 0) << result.errors;
+}
+
+TEST_F(OddInputs, whatMrptSaysOfAnIniIsSaidInWords)
+{
+    test::writeFile(file("a.ini"), "[MappingApplication]\na = 1\n");
+    const std::string sentence =
+        sentenceOf(1, "voxeland-run", {"icp-slam", file("a.ini"), rawlog()});
+    EXPECT_EQ(sentence.find("'" + file("a.ini") + "' has no key '"), 0U) << sentence;
+    EXPECT_EQ(sentence.find("failIfNotFound"), std::string::npos) << sentence;
+    sentenceOf(1, "voxeland-run", {"icp-slam"});
 }

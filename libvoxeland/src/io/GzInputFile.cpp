@@ -9,9 +9,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <new>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -23,28 +24,32 @@ namespace voxeland
 {
 namespace
 {
+constexpr auto COPY_IT = ": copy it again, or make it anew";
+
 /** \param what of MRPT's exception */
 std::string reason(const std::string& what)
 {
     const auto says = [&](const char* text) { return what.find(text) != std::string::npos; };
-    if (says("not registered")) return "an object of a class that is not known here";
+    if (says("not registered"))
+        return "an object of a class that is not known here: is it a rawlog of other programs, or "
+               "damaged?";
     if (says("unknown serialization version"))
         return "an object of a newer version than is known here; was it written with a newer MRPT?";
-    if (says("JPEG")) return "a picture in it is damaged";
-    return "the file is damaged or not of MRPT objects";
+    if (says("JPEG")) return "a picture in it is damaged: copy the file again, or make it anew";
+    return "the file is damaged or not of MRPT objects: copy it again, or name another";
 }
 
 /** Memory that an object of a file may take, and how many times the file's size if that is more
  *  [bytes]. */
 constexpr uint64_t LARGEST_OBJECT = uint64_t{1} << 30, LARGEST_RATIO = 50;
 
-/** Memory that this program has reserved [bytes]. */
+/** Memory that this program has reserved; 0 if that cannot be told [bytes]. */
 uint64_t memoryReserved()
 {
-    std::ifstream in("/proc/self/statm");
-    uint64_t pages = 0;
-    in >> pages;
-    return pages * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+    static const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+    char text[100] = "";
+    if (file < 0 || pread(file, text, sizeof(text) - 1, 0) <= 0) return 0;
+    return std::strtoull(text, nullptr, 10) * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 /** Keeps the program from reserving more memory than this while it lives: MRPT's classes take the
@@ -103,14 +108,14 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
     } catch (const std::bad_alloc&) {
         throw InputError(where +
                          ": an object takes more memory than this program may use: the file is "
-                         "damaged, or memory is short");
+                         "damaged, or memory is short: copy it again, or free memory");
     } catch (const std::exception& e) {
         if (m_objectBytes.empty() && gzeof(m_file)) {
             int state = Z_OK;
             gzerror(m_file, &state);
             if (state == Z_OK) return nullptr;
         }
-        if (gzeof(m_file)) throw InputError(where + ": the file is cut off or damaged");
+        if (gzeof(m_file)) throw InputError(where + ": the file is cut off or damaged" + COPY_IT);
         throw InputError(where + ": " + reason(e.what()));
     }
 }
@@ -130,7 +135,7 @@ size_t GzInputFile::Read(void* data, size_t bytes)
     while (left > 0) {
         const auto n = static_cast<unsigned>(std::min(left, MOST_AT_ONCE));
         const int got = gzread(m_file, at, n);
-        if (got < 0) throw InputError(m_name + ": the file is cut off or damaged");
+        if (got < 0) throw InputError(m_name + ": the file is cut off or damaged" + COPY_IT);
         m_objectBytes.append(at, static_cast<size_t>(got));
         at += got;
         left -= static_cast<size_t>(got);

@@ -214,8 +214,7 @@ std::string loadPlugin(const std::string& name, const std::vector<std::string>& 
                           " (set VOXELAND_PLUGIN_PATH, or give an absolute path)");
     if (const auto problem = problemOfLoading(fs::absolute(file)); !problem.empty())
         throw PluginError("'" + file.string() +
-                          "' cannot be loaded as a plugin of this Voxeland and "
-                          "MRPT " +
+                          "' cannot be loaded as a plugin of this Voxeland and " +
                           mrpt::system::MRPT_getVersion() + ": " + problem);
     return fs::absolute(file).string();
 }
