@@ -44,6 +44,13 @@ TEST(CategoryNames, readsEveryForm)
           "0,cup,kitchen\n1,wine glass,kitchen",
           "name,index\ncup,0\nwine glass,1\n",
           "cup\nwine glass\n",
+          "name\ncup\nwine glass\n",
+          "name,class\nmug,cup\ncup,cup\nglass,wine glass\n",
+          "name,kind\ncup,dish\nwine glass,dish\n",
+          "sep=;\r\nid;name\r\n0;cup\r\n1;wine glass\r\n",
+          "id,name\r0,cup\r1,wine glass\r",
+          "id,name\n0,\xC2\xA0"
+          "cup\xC2\xA0 \n1,wine glass\xC2\xA0\n",
           "0 cup\n1 wine glass\n",
           "0: cup\n1: wine glass\n",
           "\xEF\xBB\xBF[\"cup\", \"wine glass\"]",
@@ -68,6 +75,8 @@ TEST(CategoryNames, refusesALineByItsNumber)
     for (const auto& [text, line] :
          std::map<std::string, int>{{"0,cup\n\nx,glass\n", 3},
                                     {"id,name\n0,cup\n1\n", 3},
+                                    {"id,name\ncup,cup\n", 2},
+                                    {"name,kind\ncup,dish\n,dish\n", 3},
                                     {"0,cup\n1,\n", 2},
                                     {"0,cup\n0,glass\n", 2},
                                     {"0,cup\n1,gl\xE4sser\n", 2},
@@ -101,6 +110,15 @@ TEST(CategoryNames, refusesWhatNamesNothing)
         test::writeFile(file, text);
         EXPECT_THROW(readCategoryNames(file), InputError) << text;
     }
+}
+
+TEST(CategoryNames, cocosEightyAreNumberedFromZero)
+{
+    const auto names = readCategoryNames(std::string(VOXELAND_LABELS) + "/coco80.csv");
+    EXPECT_EQ(names.size(), 80U);
+    for (const auto& [id, name] : CategoryNames{
+             {0, "person"}, {39, "bottle"}, {56, "chair"}, {62, "tv"}, {79, "toothbrush"}})
+        EXPECT_EQ(names.at(id), name);
 }
 
 TEST(CategoryNames, shippedTablesAreThoseOfNyuAndScanNet)

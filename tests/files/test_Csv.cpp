@@ -46,6 +46,25 @@ TEST(Csv, theFirstLineTellsWhatSeparates)
     EXPECT_EQ(fieldsOf("\"a;b\",c\n"), (std::vector<Fields>{{"a;b", "c"}}));
 }
 
+TEST(Csv, aLineForSpreadsheetsTellsWhatSeparates)
+{
+    const std::vector<Fields> expected = {{"a;b", "c"}, {"1", "2;3"}};
+    EXPECT_EQ(fieldsOf("sep=,\r\na;b,c\r\n1,2;3\r\n"), expected);
+    EXPECT_EQ(fieldsOf("sep=|\na;b|c\n1|2;3"), expected);
+    EXPECT_EQ(fieldsOf("sep=\t\na;b\tc\n1\t2;3\n"), expected);
+    EXPECT_EQ(parseCsv("sep=;\na;b\n", "a.csv").at(0).line, 2U);
+    EXPECT_EQ(fieldsOf("sep=ab\nc\n"), (std::vector<Fields>{{"sep=ab"}, {"c"}}));
+    EXPECT_TRUE(fieldsOf("sep=;").empty());
+}
+
+TEST(Csv, noBreakSpacesAroundFieldsAreBlanks)
+{
+    EXPECT_EQ(fieldsOf("\xC2\xA0"
+                       "a\xC2\xA0\xC2\xA0 ,\xC2\xA0,\xC3\xA0\n"),
+              (std::vector<Fields>{{"a", "", "\xC3\xA0"}}))
+        << "the last byte of an \xC3\xA0 is no space";
+}
+
 TEST(Csv, quotesHoldAnything)
 {
     EXPECT_EQ(fieldsOf("1,\"a, \"\"b\"\"\"\n"), (std::vector<Fields>{{"1", "a, \"b\""}}));

@@ -17,6 +17,14 @@ TEST(TextFile, isReadWithoutItsByteOrderMark)
     }
 }
 
+TEST(TextFile, linesThatEndWithCrAloneAreLines)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("a.txt");
+    test::writeFile(file, "a\rb\r\nc\r");
+    EXPECT_EQ(readTextFile(file), "a\nb\r\nc\n");
+}
+
 TEST(TextFile, whatIsNoTextIsNamed)
 {
     const test::TemporaryFolder folder;
@@ -36,5 +44,9 @@ TEST(TextFile, whatIsNoTextIsNamed)
     for (const std::string mark : {"\xFF\xFE", "\xFE\xFF"}) {
         test::writeFile(file, mark + std::string("a\0b\0", 4));
         EXPECT_EQ(complaint(file), "the label map " + file + " is UTF-16 text: save it as UTF-8");
+    }
+    for (const std::string start : {"PK\x03\x04", "\xD0\xCF\x11\xE0"}) {
+        test::writeFile(file, start + "...");
+        EXPECT_EQ(complaint(file), "the label map " + file + " is a spreadsheet: save it as CSV");
     }
 }

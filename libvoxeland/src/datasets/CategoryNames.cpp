@@ -2,6 +2,7 @@
 #include "voxeland/datasets/CategoryNames.h"
 
 #include "YamlNames.h"
+#include "voxeland/datasets/LabelMap.h"
 #include "voxeland/errors.h"
 #include "voxeland/files/Csv.h"
 #include "voxeland/files/Json.h"
@@ -61,23 +62,24 @@ CategoryNames fromJson(const json& root, const std::string& source)
 struct Columns
 {
     size_t number = 0, name = 1;
+    bool areNamesAlone = false;  //!< the header names no column of numbers, but one of names
 };
 
 /** What the first row says if it is a header. */
 Columns columnsOf(const CsvRow& header)
 {
-    const auto at = [&](const std::vector<std::string>& titles, size_t otherwise) {
+    const auto at = [&](const std::vector<std::string>& titles) -> std::optional<size_t> {
         for (size_t i = 0; i < header.fields.size(); ++i) {
             std::string title = header.fields[i];
             std::transform(title.begin(), title.end(), title.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
             if (std::find(titles.begin(), titles.end(), title) != titles.end()) return i;
         }
-        return otherwise;
+        return std::nullopt;
     };
-    const size_t number = at({"id", "index", "number", "category_id", "class_id", "label_id"}, 0);
-    return {number, at({"name", "category", "label", "class", "category_name", "class_name"},
-                       number == 1 ? 0 : 1)};
+    const auto number = at({"id", "index", "number", "category_id", "class_id", "label_id"});
+    const auto name = at({"name", "category", "label", "class", "category_name", "class_name"});
+    return {number.value_or(0), name.value_or(number == 1U ? 0 : 1), name && !number};
 }
 
 [[noreturn]] void failAt(const CsvRow& row, const std::string& source, const std::string& problem)
@@ -95,32 +97,49 @@ std::optional<CsvRow> dividedAtNumber(const CsvRow& row)
     return CsvRow{row.line, {text.substr(0, end), trimmed(text.substr(end + 1))}};
 }
 
-/** Lines of a name each, numbered from 0. */
-CategoryNames namesAlone(const std::vector<CsvRow>& rows, const std::string& source)
+/** A name a row, numbered from 0. */
+CategoryNames namesAlone(const std::vector<CsvRow>& rows, size_t column, const std::string& source)
 {
     CategoryNames names;
     for (const CsvRow& row : rows) {
-        const std::string& name = row.fields.front();
-        if (parsed<double>(name) || name.find_first_of(":{}[]") != std::string::npos)
+        const std::string name = row.fields.size() > column ? row.fields[column] : "";
+        if (name.empty() || parsed<double>(name) ||
+            name.find_first_of(":{}[]") != std::string::npos)
             failAt(row, source, "is no name of a category");
         names.emplace(static_cast<int64_t>(names.size()), name);
     }
     return names;
 }
 
+CategoryNames classesOf(const LabelMap& map)
+{
+    CategoryNames names;
+    for (const auto& name : map.classes()) names.emplace(static_cast<int64_t>(names.size()), name);
+    return names;
+}
+
+bool holdsNumber(const CsvRow& row)
+{
+    return std::any_of(row.fields.begin(), row.fields.end(),
+                       [](const auto& f) { return parsed<int64_t>(f).has_value(); });
+}
+
 CategoryNames fromTable(std::vector<CsvRow> rows, const std::string& source)
 {
+    const Columns titles = columnsOf(rows.front());
+    if (titles.areNamesAlone && std::none_of(rows.begin(), rows.end(), holdsNumber))
+        return namesAlone({rows.begin() + 1, rows.end()}, titles.name, source);
     const auto isAlone = [](const CsvRow& row) { return row.fields.size() == 1; };
     if (std::all_of(rows.begin(), rows.end(), isAlone)) {
         if (!std::all_of(rows.begin(), rows.end(), dividedAtNumber))
-            return namesAlone(rows, source);
+            return namesAlone(rows, 0, source);
         for (CsvRow& row : rows) row = *dividedAtNumber(row);
     }
     CategoryNames names;
     auto row = rows.begin();
-    const bool hasHeader = std::none_of(row->fields.begin(), row->fields.end(),
-                                        [](const auto& f) { return parsed<int64_t>(f); });
-    const Columns columns = columnsOf(hasHeader ? *row++ : CsvRow());
+    const bool hasHeader = !holdsNumber(*row);
+    const Columns columns = hasHeader ? titles : Columns();
+    if (hasHeader) ++row;
     for (; row != rows.end(); ++row) {
         const auto& fields = row->fields;
         if (fields.size() <= std::max(columns.number, columns.name))
@@ -143,7 +162,9 @@ CategoryNames categoryNamesFromTable(const std::string& text, const std::string&
 {
     if (const auto names = namesFromYaml(text, source)) return *names;
     const auto rows = parseCsv(text, source);
-    return rows.empty() ? CategoryNames() : fromTable(rows, source);
+    if (rows.empty()) return {};
+    return LabelMap::isHeader(rows.front()) ? classesOf(LabelMap::fromText(text, source))
+                                            : fromTable(rows, source);
 }
 
 CategoryNames readCategoryNames(const std::string& file)

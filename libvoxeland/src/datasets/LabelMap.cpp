@@ -14,6 +14,8 @@ extern const char* const PAPER9_CSV;  // share/labels/paper9.csv, embedded by CM
 
 namespace
 {
+const std::vector<std::string> HEADER = {"name", "class"};
+
 std::string normalized(std::string name)
 {
     for (char& c : name)
@@ -24,7 +26,7 @@ std::string normalized(std::string name)
 
 LabelMap::LabelMap(const std::string& csv, std::string source) : m_source(std::move(source))
 {
-    for (const CsvRow& row : parseCsv(csv, {"name", "class"}, "the label map " + m_source)) {
+    for (const CsvRow& row : parseCsv(csv, HEADER, "the label map " + m_source)) {
         const std::string &name = row.fields[0], &label = row.fields[1];
         const auto at = std::find(m_classes.begin(), m_classes.end(), label);
         const auto id = static_cast<class_id_t>(at - m_classes.begin());
@@ -43,7 +45,17 @@ LabelMap LabelMap::paper9()
 
 LabelMap LabelMap::fromFile(const std::string& file)
 {
-    return LabelMap(readTextFile(file, "label map"), file);
+    return fromText(readTextFile(file, "label map"), file);
+}
+
+LabelMap LabelMap::fromText(const std::string& text, const std::string& source)
+{
+    return LabelMap(text, source);
+}
+
+bool LabelMap::isHeader(const CsvRow& row)
+{
+    return row.fields == HEADER;
 }
 
 class_id_t LabelMap::classOf(const std::string& name) const

@@ -44,9 +44,20 @@ void checkUtf8(std::string_view text, const std::string& source)
     }
 }
 
+const std::string SEPARATOR_IS = "sep=";
+
+/** Whether the first line is "sep=;", which tells spreadsheets what separates. */
+bool tellsSeparator(const std::string& text)
+{
+    const size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    return text.compare(0, SEPARATOR_IS.size(), SEPARATOR_IS) == 0 &&
+           end == SEPARATOR_IS.size() + 1;
+}
+
 /** What separates the fields of a table. */
 char separatorOf(const std::string& text)
 {
+    if (tellsSeparator(text)) return text[SEPARATOR_IS.size()];
     const size_t start = text.find_first_not_of(" \r\n");
     if (start == std::string::npos) return ',';
     bool quoted = false;
@@ -67,6 +78,7 @@ class CsvParser
     CsvParser(const std::string& text, const std::string& source)
         : m_rest(text), m_source(source), m_separator(separatorOf(text))
     {
+        if (tellsSeparator(text)) m_rest.remove_prefix(SEPARATOR_IS.size() + 1);
     }
 
     [[nodiscard]] bool atEnd() const { return m_rest.empty(); }

@@ -17,6 +17,13 @@ bool beginsWith(const std::string& text, const std::string& start)
 {
     return text.compare(0, start.size(), start) == 0;
 }
+
+/** Lines ended by CR alone, as of now. */
+void endLinesByLf(std::string& text)
+{
+    for (size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) text[i] = '\n';
+}
 }  // namespace
 
 std::string readTextFile(const std::string& file, const std::string& purpose)
@@ -29,7 +36,10 @@ std::string readTextFile(const std::string& file, const std::string& purpose)
     std::string text{std::istreambuf_iterator<char>(in), {}};
     if (beginsWith(text, "\xFF\xFE") || beginsWith(text, "\xFE\xFF"))
         throw InputError("the " + purpose + " " + file + " is UTF-16 text: save it as UTF-8");
+    if (beginsWith(text, "PK\x03\x04") || beginsWith(text, "\xD0\xCF\x11\xE0"))
+        throw InputError("the " + purpose + " " + file + " is a spreadsheet: save it as CSV");
     if (beginsWith(text, UTF8_MARK)) text.erase(0, UTF8_MARK.size());
+    endLinesByLf(text);
     return text;
 }
 }  // namespace voxeland

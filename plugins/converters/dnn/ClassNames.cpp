@@ -2,10 +2,7 @@
 #include "ClassNames.h"
 
 #include "voxeland/datasets/CategoryNames.h"
-#include "voxeland/datasets/LabelMap.h"
 #include "voxeland/errors.h"
-#include "voxeland/files/Csv.h"
-#include "voxeland/files/TextFile.h"
 
 namespace voxeland
 {
@@ -28,13 +25,6 @@ std::vector<std::string> inOrder(const CategoryNames& names, const std::string& 
 
 std::vector<std::string> readClassNames(const std::string& file)
 {
-    const std::string text = readTextFile(file, "class names");
-    const std::vector<std::string> LABEL_MAP = {"name", "class"};
-    const std::string firstLine = text.substr(0, text.find('\n'));
-    const bool isJson = firstLine.find_first_of("[{") != std::string::npos;
-    const auto rows = isJson ? std::vector<CsvRow>() : parseCsv(firstLine, file);
-    if (!rows.empty() && rows.front().fields == LABEL_MAP)
-        return LabelMap::fromFile(file).classes();
     return inOrder(readCategoryNames(file), file);
 }
 }  // namespace voxeland

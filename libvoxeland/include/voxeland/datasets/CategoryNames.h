@@ -14,8 +14,10 @@ using CategoryNames = std::map<int64_t, std::string>;
 const CategoryNames& cocoCategoryNames();
 
 /** Category names from a table in UTF-8: CSV (see parseCsv()) whose rows are a number, a name and
- *  anything else, below a header or not; lines of a name each, numbered from 0; or YAML with a key
- *  "names", as the data.yaml of Ultralytics. Empty if the text is.
+ *  anything else, below a header or not; rows of names without numbers, below a header that names
+ *  their column or not, numbered from 0; the classes of a label map, "name,class" as
+ *  share/labels/coco80.csv, numbered from 0 in order of appearance; or YAML with a key "names", as
+ *  the data.yaml of Ultralytics. Empty if the text is.
  *  \param source name of the file, for messages
  *  \throws InputError, naming the line, for any other */
 CategoryNames categoryNamesFromTable(const std::string& text, const std::string& source);

@@ -6,6 +6,8 @@
 
 namespace voxeland
 {
+struct CsvRow;
+
 /** Number of an evaluation class, from 0; NO_CLASS for what is not evaluated. */
 using class_id_t = int;
 inline constexpr class_id_t NO_CLASS = -1;
@@ -22,6 +24,10 @@ class LabelMap
      *  \throws InputError, naming the file, if it is missing, malformed, empty or gives a name to
      *  two classes */
     static LabelMap fromFile(const std::string& file);
+    /** The same, from such a file's text. \param source its name, for messages */
+    static LabelMap fromText(const std::string& text, const std::string& source);
+    /** Whether a table's first row is that of a label map. */
+    static bool isHeader(const CsvRow& row);
 
     /** Where the map comes from: a file name, or "paper9". */
     [[nodiscard]] const std::string& source() const { return m_source; }
