@@ -14,6 +14,9 @@ namespace
 /** Only row 1 of column 0 of a 2x2 image is set (see test_CocoMasks). */
 const json MASK = {{"size", {2, 2}}, {"counts", "112"}};
 
+/** The only category of prediction(). */
+const CategoryNames CHAIR = {{62, "chair"}};
+
 json prediction(const json& changes = json::object())
 {
     json p = {{"image_id", 3}, {"category_id", 62}, {"score", 0.5}, {"segmentation", MASK}};
@@ -178,7 +181,7 @@ TEST_F(CocoPredictionsTest, masksMustBeOfTheImagesSize)
 TEST_F(CocoPredictionsTest, oneMaskOfAnotherSizeIsLeftOut)
 {
     const json odd = {{"segmentation", {{"size", {3, 2}}, {"counts", {1, 5}}}}};
-    const auto predictions = load({prediction(odd), prediction(), prediction()});
+    const auto predictions = load({prediction(odd), prediction(), prediction()}, CHAIR);
     MatchedPredictions matched(predictions, frames(4));
     EXPECT_EQ(matched.instancesFor(3, 2, 2)->instances.size(), 2U);
     ASSERT_EQ(matched.warnings().size(), 1U);
@@ -306,6 +309,165 @@ TEST_F(CocoPredictionsTest, cocosEightyAreNoticedWhereNothingElseIsPossible)
     EXPECT_EQ(instancesOf(load(seen), 3)[1].categories[0].name, "cup") << "41 of 80, from 0";
 }
 
+TEST_F(CocoPredictionsTest, ultralyticsCountsItsCategoriesOnAfterAnother)
+{
+    struct Reading
+    {
+        std::string name, note, doubt;
+    };
+    const auto reading = [&](const json& image, const std::vector<int>& ids) {
+        json list;
+        for (const int id : ids)
+            list.push_back(prediction({{"image_id", image}, {"category_id", id}}));
+        const auto predictions = load(list);
+        MatchedPredictions matched(predictions, {{0, "rgb/kitchen.png"}, {1, "rgb/7.png"}});
+        const size_t frame = image == "7" || image == 7 ? 1 : 0;
+        const auto warnings = matched.warnings();
+        return Reading{matched.instancesFor(frame, 2, 2)->instances[0].categories[0].name,
+                       matched.notes().front(), warnings.empty() ? "" : warnings.front()};
+    };
+    // 56 is chair of COCO's 80 from 0, 57 chair from 1, and 62 chair of its 90.
+    EXPECT_EQ(reading("kitchen", {56, 0}).name, "chair");
+    EXPECT_EQ(reading("kitchen", {56, 0}).doubt, "");
+    EXPECT_NE(reading("kitchen", {56, 0}).note.find("--categories"), std::string::npos);
+    EXPECT_EQ(reading("kitchen", {56, 41}).name, "chair");
+    EXPECT_NE(reading("kitchen", {56, 41}).doubt.find("--categories"), std::string::npos);
+    EXPECT_EQ(reading("kitchen", {57, 80}).name, "chair");
+    EXPECT_EQ(reading("kitchen", {62, 90}).name, "chair");
+    for (const json& image : {json(7), json("7"), json("rgb/kitchen.png"), json("kitchen.jpg")}) {
+        EXPECT_EQ(reading(image, {62, 90}).doubt, "") << image;
+        EXPECT_EQ(reading(image, {62, 47}).name, "chair") << image;
+        EXPECT_NE(reading(image, {62, 47}).doubt.find("COCO's 80 names, from 0"), std::string::npos)
+            << image;
+    }
+}
+
+TEST_F(CocoPredictionsTest, aTenthOfThePredictionsMayHaveAnUnknownCategory)
+{
+    const auto withOdd = [&](int odd, int count) {
+        json list;
+        for (int i = 0; i < 10; ++i)
+            list.push_back(prediction(i < count ? json{{"category_id", odd}} : json::object()));
+        return list;
+    };
+    for (const int odd : {12, 200, 91000}) {
+        const auto predictions = load(withOdd(odd, 1));
+        EXPECT_EQ(predictions.leftOut().count(), 1U) << odd;
+        EXPECT_EQ(predictions.leftOut().first(), m_file +
+                                                     ": prediction 0 (image_id 3): category_id " +
+                                                     std::to_string(odd) + " has no name");
+        const auto instances = instancesOf(predictions, 3);
+        ASSERT_EQ(instances.size(), 9U);
+        EXPECT_EQ(instances[0].categories[0].name, "chair");
+        EXPECT_NE(complaint(withOdd(odd, 2).dump()).find("--categories"), std::string::npos) << odd;
+        EXPECT_THROW(load(withOdd(odd, 1), {}, true), InputError) << odd;
+        EXPECT_EQ(load(withOdd(odd, 1), CHAIR).count(), 9U) << odd;
+        EXPECT_THROW(load(withOdd(odd, 2), CHAIR), InputError) << odd;
+    }
+}
+
+TEST_F(CocoPredictionsTest, namesGivenFromZeroAreNotTakenForOnesFromOne)
+{
+    const CategoryNames two = {{0, "cup"}, {1, "chair"}};
+    json list;
+    for (int i = 0; i < 20; ++i) list.push_back(prediction({{"category_id", i == 0 ? 2 : 1}}));
+    EXPECT_THROW(load(list, two), InputError);
+    list[1]["category_id"] = 0;
+    const auto predictions = load(list, two);
+    EXPECT_EQ(predictions.count(), 19U);
+    EXPECT_NE(predictions.notes().front().find("numbered 0 to 1"), std::string::npos);
+}
+
+TEST_F(CocoPredictionsTest, nullIsAsGoodAsAbsent)
+{
+    json p = prediction();
+    p["track_id"] = nullptr;
+    EXPECT_EQ(only(p).track, InstancePrediction::NO_TRACK);
+    const json root = {{"images", nullptr}, {"categories", nullptr}, {"annotations", {p}}};
+    const auto predictions = load(root, {}, true);
+    EXPECT_FALSE(predictions.listsImages());
+    EXPECT_EQ(instancesOf(predictions, 3).size(), 1U);
+}
+
+TEST_F(CocoPredictionsTest, polygonsAreScaledFromTheImageTheyWereDrawnOn)
+{
+    const auto listedAs = [](const json& width, const json& height, const json& polygon,
+                             const json& box) {
+        json p = prediction({{"image_id", 1}, {"segmentation", {polygon}}});
+        if (!box.is_null()) p["bbox"] = box;
+        return json{{"images", {{{"id", 1}, {"width", width}, {"height", height}}}},
+                    {"annotations", {p}}};
+    };
+    // In a frame of 8x4 pixels columns 2 to 5 of row 1, whatever it was drawn on.
+    const Bitmap expected = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0,
+                             0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    struct Drawing
+    {
+        json width, height, polygon, box;
+        const char* note;
+    };
+    for (const Drawing& d : std::vector<Drawing>{
+             {8, 4, {2, 1, 6, 1, 6, 2, 2, 2}, {2, 1, 4, 1}, ""},
+             {16, 8, {4, 2, 12, 2, 12, 4, 4, 4}, {4, 2, 8, 2}, "from 16x8 to 8x4 pixels"},
+             {16.0, "8", {4, 2, 12, 2, 12, 4, 4, 4}, {4, 2, 8, 2}, "from 16x8 to 8x4 pixels"},
+             {16, 8, {4, 2, 12, 2, 12, 4, 4, 4}, nullptr, "from 16x8 to 8x4 pixels"},
+             {8,
+              8,
+              {2, 2, 6, 2, 6, 4, 2, 4},
+              {2, 2, 4, 2},
+              "from 8x8 to 8x4 pixels, which is right if"},
+             {0, 0, {2, 1, 6, 1, 6, 2, 2, 2}, {2, 1, 4, 1}, ""}})
+    {
+        const auto predictions = load(listedAs(d.width, d.height, d.polygon, d.box), CHAIR);
+        MatchedPredictions matched(predictions, frames(1));
+        const auto p = matched.instancesFor(0, 8, 4)->instances.at(0);
+        EXPECT_EQ(p.mask.toBitmap(), expected) << d.width << d.height;
+        EXPECT_EQ((std::vector<int>{p.box.x, p.box.y, p.box.width, p.box.height}),
+                  (std::vector<int>{2, 1, 4, 1}))
+            << d.width << d.height;
+        std::string told;
+        for (const auto& note : matched.notes())
+            if (note.find("scaled") != std::string::npos) told += note;
+        EXPECT_EQ(told.empty(), std::string(d.note).empty()) << told;
+        EXPECT_NE(told.find(d.note), std::string::npos) << told;
+    }
+    const auto turned = load(listedAs(4, 8, {1, 2, 2, 2, 2, 6, 1, 6}, nullptr), CHAIR);
+    MatchedPredictions matched(turned, frames(1));
+    EXPECT_THROW(static_cast<void>(matched.instancesFor(0, 8, 4)), InputError);
+    const auto masks = load({{"images", {{{"id", 1}, {"width", 4}, {"height", 4}}}},
+                             {"annotations", {prediction({{"image_id", 1}})}}},
+                            CHAIR);
+    MatchedPredictions refused(masks, frames(1));
+    EXPECT_THROW(static_cast<void>(refused.instancesFor(0, 4, 4)), InputError) << "RLE of 2x2";
+    EXPECT_NO_THROW(static_cast<void>(refused.instancesFor(0, 2, 2)));
+}
+
+TEST_F(CocoPredictionsTest, sizesThatPolygonsDoNotLieInAreNotUsed)
+{
+    const json p = prediction({{"image_id", 1}, {"segmentation", {{5, 1, 8, 1, 8, 2, 5, 2}}}});
+    const auto predictions =
+        load({{"images", {{{"id", 1}, {"width", 4}, {"height", 2}}}}, {"annotations", {p}}}, CHAIR);
+    MatchedPredictions matched(predictions, frames(1));
+    EXPECT_EQ(matched.instancesFor(0, 8, 4)->instances.at(0).mask.area(), 3U);
+    ASSERT_EQ(matched.warnings().size(), 1U);
+    EXPECT_NE(matched.warnings()[0].find("1 polygon of 1 lie outside"), std::string::npos)
+        << matched.warnings()[0];
+}
+
+TEST_F(CocoPredictionsTest, withoutFramesTheOddOnesAreToldToo)
+{
+    const auto predictions =
+        load({prediction({{"image_id", 50}}), prediction({{"image_id", 1.5}})});
+    try {
+        MatchedPredictions(predictions, frames(4));
+        FAIL() << "no exception";
+    } catch (const InputError& e) {
+        const std::string what = e.what();
+        EXPECT_NE(what.find("1 of 1 prediction have no frame"), std::string::npos) << what;
+        EXPECT_NE(what.find("1 odd entry left out"), std::string::npos) << what;
+    }
+}
+
 TEST_F(CocoPredictionsTest, masksOutsideTheirBoxesAreNotTakenAsTheyAre)
 {
     // Rows 0 and 1 of 4x8 pixels, set along the rows; down the columns that is a block on the left.
@@ -324,7 +486,7 @@ TEST_F(CocoPredictionsTest, aTenthOfThePredictionsMayHaveNoFrame)
 {
     json list;
     for (int i = 0; i < 10; ++i) list.push_back(prediction({{"image_id", i}}));
-    const auto nine = load(list);
+    const auto nine = load(list, CHAIR);
     MatchedPredictions matched(nine, frames(9));
     ASSERT_EQ(matched.warnings().size(), 1U);
     EXPECT_EQ(matched.warnings()[0].find(m_file + ": 1 of 10 predictions have no frame, the first "
@@ -355,7 +517,8 @@ TEST_F(CocoPredictionsTest, saysWhichPredictionIsWrong)
 {
     const std::string where = ": prediction 0 (image_id 3): ";
     EXPECT_EQ(complaint(prediction({{"category_id", 105}})),
-              ": category_id 105 has no name: give the names with --categories");
+              ": category_id 105 has no name: give the names with --categories (1 of 1 prediction"
+              " without a name)");
     EXPECT_EQ(complaint(prediction({{"score", 1.5}})), where + "score 1.5 is not in [0,1]");
     EXPECT_EQ(complaint(prediction({{"image_id", nullptr}})),
               ": prediction 0: there is no image_id");

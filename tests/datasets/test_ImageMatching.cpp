@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/ImageMatching.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
+#include "voxeland/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,9 @@ TEST(ImageMatching, namesDecideHoweverTheyAreWritten)
           "frame-000001.color.jpg", "/data/kitchen/seq-01/frame-000001.color.png",
           "C:\\data\\seq-01\\frame-000001.color.JPG", "./seq-01/frame-000001.color.png",
           "other/frame-000001.color.png", "frame-000001_color_jpg.rf.0123456789abcdef.jpg",
-          "images/4/0f12ab9c-frame-000001.color.png"})
+          "images/4/0f12ab9c-frame-000001.color.png", "SEQ-01/FRAME-000001.COLOR.PNG",
+          "http://host:8080/data/frame-000001.color.jpg?d=a/b.c",
+          "/data/local-files/?d=seq-01/frame-000001.color.jpg"})
     {
         const auto matching = matchImages(named({"unknown.png", name}), true, KITCHEN);
         EXPECT_EQ(matching.imageOf, (Positions{NONE, 1})) << name;
@@ -100,12 +103,65 @@ TEST(ImageMatching, otherNamesMatchInTheOrderOfTheList)
     EXPECT_EQ(matching.imageOf, (Positions{0, 1, 2}));
     EXPECT_EQ(matching.how, "in the order of the file's images");
     EXPECT_EQ(matching.doubt, "");
-    const auto shuffled = matchImages(named({"x2", "x1", "x3"}), true, frames);
-    EXPECT_EQ(shuffled.imageOf, (Positions{0, 1, 2}));
-    EXPECT_EQ(shuffled.doubt, "the names of its images are in another order");
     const auto fewer = matchImages(named({"x1", "x2"}), true, frames);
     EXPECT_EQ(fewer.imageOf, (Positions{0, 1, NONE}));
-    EXPECT_EQ(fewer.doubt, "it lists 2 images for 3 frames");
+    EXPECT_EQ(fewer.doubt,
+              "it lists 2 images for 3 frames: rgbd2rawlog --predictions matches by the "
+              "dataset's own file names");
+    const auto rooms = matchImages(named({"kitchen_2", "hall_1", "hall_2"}), true, frames);
+    EXPECT_EQ(rooms.imageOf, (Positions{0, 1, 2}));
+    EXPECT_EQ(rooms.doubt.find("the names of its images are in another order: rgbd2rawlog"), 0U);
+}
+
+TEST(ImageMatching, aListOutOfOrderIsRefused)
+{
+    const auto frames = framesWith({"INT_a.jpg", "INT_b.jpg", "INT_c.jpg"});
+    const auto isRefused = [&](const std::vector<std::string>& names) {
+        try {
+            matchImages(named(names), true, frames);
+        } catch (const InputError& e) {
+            EXPECT_NE(std::string(e.what()).find("rgbd2rawlog --predictions"), std::string::npos);
+            return true;
+        }
+        return false;
+    };
+    EXPECT_TRUE(isRefused({"x12", "x11", "x13"}));
+    EXPECT_TRUE(isRefused({"10.jpg", "100.jpg", "11.jpg"})) << "as ls lists them: 10, 100, 11";
+    EXPECT_TRUE(isRefused({"1305.9.png", "1305.25.png", "1306.0.png"})) << "0.9 s, then 0.25 s";
+    EXPECT_TRUE(isRefused({"f-01.png", "f-00.png"})) << "of three frames";
+    EXPECT_TRUE(isRefused({"b/7.png", "b/9.png", "a/8.png", "a/6.png"}));
+    EXPECT_FALSE(isRefused({"x9", "x10", "x100"}));
+    EXPECT_FALSE(isRefused({"1305.25.png", "1305.9.png", "1306.0.png"}));
+    EXPECT_FALSE(isRefused({"s-01/9.png", "s-02/1.png", "s-02/2.png"}));
+    EXPECT_FALSE(isRefused({"f_jpg.rf.9.jpg", "f_jpg.rf.2.jpg", "f_jpg.rf.1.jpg"}));
+    EXPECT_FALSE(isRefused({"", "", ""}));
+    EXPECT_FALSE(isRefused({"INT_c.jpg", "9", "1"})) << "one is a frame's";
+}
+
+TEST(ImageMatching, aListOutOfOrderThatNumbersAllFramesIsMatchedByThem)
+{
+    const auto frames = framesWith({"INT_a.jpg", "INT_b.jpg", "INT_c.jpg"});
+    const auto matching = matchImages(named({"x2", "x0", "x1"}), true, frames);
+    EXPECT_EQ(matching.imageOf, (Positions{1, 2, 0}));
+    EXPECT_EQ(matching.how, "by frame number");
+}
+
+TEST(ImageMatching, numbersThatMayCountFromOneAreDoubted)
+{
+    const auto frames = framesWith({"", "", "", "", ""});
+    const auto doubts = [&](const std::vector<int64_t>& numbers) {
+        return matchImages(numbered(numbers), false, frames).doubt;
+    };
+    EXPECT_NE(doubts({1, 2, 3, 4}).find("counted from 1"), std::string::npos);
+    EXPECT_NE(doubts({1}).find("'images'"), std::string::npos);
+    EXPECT_NE(doubts({2, 3, 4}), "") << "neither the first frame nor the last has any";
+    EXPECT_EQ(doubts({3}), "") << "too few to miss 0";
+    EXPECT_EQ(doubts({0, 1, 2, 3}), "");
+    EXPECT_EQ(doubts({1, 2, 3, 4, 5}), "") << "certain";
+    EXPECT_EQ(matchImages(numbered({1, 2, 3, 4, 5}), false, frames).how,
+              "by position, counted from 1");
+    const std::vector<DatasetFrame> fromOne = {{1, ""}, {2, ""}, {3, ""}};
+    EXPECT_EQ(matchImages(numbered({1, 2}), false, fromOne).doubt, "") << "the dataset's numbers";
 }
 
 TEST(ImageMatching, someOfTheImagesAreFoundByTheirNumbers)

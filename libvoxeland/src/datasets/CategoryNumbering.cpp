@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CategoryNumbering.h"
 
+#include "Tolerance.h"
 #include "voxeland/counted.h"
 #include "voxeland/errors.h"
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 #include <vector>
 
 namespace voxeland
@@ -43,54 +45,126 @@ bool agree(const CategoryNames& table, const CategoryNames& names)
     });
 }
 
+/** A way to number COCO's categories. */
 struct Table
 {
     CategoryNames names;
-    std::string note;
+    std::string meaning;
 };
 
-std::vector<Table> cocoTables()
+/** \param eightyFirst which come first */
+std::vector<Table> cocoTables(bool eightyFirst)
 {
-    return {{annotatedCocoNames(), "category_id is COCO's number of a category, 1 to 90"},
-            {cocoNamesFrom(0), "category_id counts COCO's 80 categories from 0"},
-            {cocoNamesFrom(1), "category_id counts COCO's 80 categories from 1"}};
+    std::vector<Table> tables = {{annotatedCocoNames(), "COCO's numbers, 1 to 90"},
+                                 {cocoNamesFrom(0), "COCO's 80 names, from 0"},
+                                 {cocoNamesFrom(1), "COCO's 80 names, from 1"}};
+    if (eightyFirst) std::rotate(tables.begin(), tables.begin() + 1, tables.end());
+    return tables;
 }
+
+/** The numbers that a table does not have. */
+std::map<int64_t, size_t> usesOutside(const CategoryNames& names,
+                                      const std::map<int64_t, size_t>& uses)
+{
+    std::map<int64_t, size_t> result;
+    for (const auto& use : uses)
+        if (names.count(use.first) == 0) result.insert(use);
+    return result;
+}
+
+size_t total(const std::map<int64_t, size_t>& uses)
+{
+    size_t sum = 0;
+    for (const auto& use : uses) sum += use.second;
+    return sum;
+}
+
+std::string withoutName(const std::map<int64_t, size_t>& uses, const CategoryNumbers& numbers)
+{
+    return " (" + std::to_string(std::min(total(uses), numbers.predictions)) + " of " +
+           counted(numbers.predictions, "prediction") + " without a name)";
+}
+
+const char* const REMEDY = "has no name: give the names with --categories";
 }  // namespace
 
 CategoryNumbering::CategoryNumbering(const CategoryNames& given, const CategoryNames& own,
-                                     const std::set<int64_t>& numbers)
+                                     const CategoryNumbers& numbers)
     : m_names(given)
 {
     m_names.insert(own.begin(), own.end());
-    std::set<int64_t> nameless;
-    for (const int64_t n : numbers)
-        if (m_names.count(n) == 0) nameless.insert(n);
-    if (nameless.empty()) return;
-
-    if (!given.empty())
-        throw InputError("category_id " + std::to_string(*nameless.begin()) + " is not among the " +
-                         counted(given.size(), "category", "categories") +
-                         " given, which are numbered " + std::to_string(given.begin()->first) +
-                         " to " + std::to_string(given.rbegin()->first));
-    const auto tables = cocoTables();
-    std::vector<const Table*> fitting;
-    for (const Table& table : tables)
-        if (agree(table.names, own) &&
-            std::all_of(nameless.begin(), nameless.end(),
-                        [&](int64_t n) { return table.names.count(n) > 0; }))
-            fitting.push_back(&table);
-    if (fitting.empty() || (fitting.size() > 1 && fitting.front() != &tables.front())) {
-        const auto& coco = tables.front().names;
-        const auto odd = std::find_if(nameless.begin(), nameless.end(),
-                                      [&](int64_t n) { return coco.count(n) == 0; });
-        const int64_t first = odd == nameless.end() ? *nameless.begin() : *odd;
-        throw InputError("category_id " + std::to_string(first) +
-                         " has no name: give the names with --categories" +
-                         (fitting.empty() ? ""
-                                          : " (it is none of COCO's 90 categories; do the numbers "
-                                            "count 80 from 0, or from 1?)"));
+    if (!given.empty()) {
+        checkGiven(given, numbers);
+        return;
     }
-    m_names.insert(fitting.front()->names.begin(), fitting.front()->names.end());
-    m_note = fitting.front()->note;
+    if (!usesOutside(m_names, numbers.uses).empty()) addCocos(own, numbers);
+    const auto nameless = usesOutside(m_names, numbers.uses);
+    if (!isTolerable(total(nameless), numbers.predictions))
+        throw InputError("category_id " + std::to_string(nameless.begin()->first) + " " + REMEDY +
+                         withoutName(nameless, numbers));
+}
+
+void CategoryNumbering::checkGiven(const CategoryNames& given, const CategoryNumbers& numbers)
+{
+    const int64_t first = given.begin()->first, last = given.rbegin()->first;
+    const std::string extent = counted(given.size(), "category", "categories") +
+                               " given, which are numbered " + std::to_string(first) + " to " +
+                               std::to_string(last);
+    if (!numbers.uses.empty()) m_note = "category_ids are of the " + extent;
+    const auto nameless = usesOutside(m_names, numbers.uses);
+    const bool mayCountFromOne =
+        first == 0 && numbers.uses.count(0) == 0 && nameless.count(last + 1) > 0;
+    if (!mayCountFromOne && isTolerable(total(nameless), numbers.predictions)) return;
+    const int64_t odd = mayCountFromOne ? last + 1 : nameless.begin()->first;
+    throw InputError("category_id " + std::to_string(odd) + " is not among the " + extent +
+                     (mayCountFromOne ? ": does category_id count from 1? Give lines 'number,name'"
+                                      : withoutName(nameless, numbers)));
+}
+
+/** Those of the table that leaves the fewest predictions without a name. Where an odd number speaks
+ *  for 80 categories but does not say from where they count, COCO's 90 are meant. */
+void CategoryNumbering::addCocos(const CategoryNames& own, const CategoryNumbers& numbers)
+{
+    const auto nameless = usesOutside(m_names, numbers.uses);
+    std::vector<Table> tables;
+    for (Table& table : cocoTables(numbers.ofNamedImages))
+        if (agree(table.names, own)) tables.push_back(std::move(table));
+    if (tables.empty()) return;
+    const auto unnamed = [&](const Table& t) { return total(usesOutside(t.names, nameless)); };
+    const auto fewer = [&](const Table& a, const Table& b) { return unnamed(a) < unnamed(b); };
+    auto chosen = std::min_element(tables.begin(), tables.end(), fewer);
+    const auto isAsGood = [&](const Table& t) {
+        return &t != &*chosen && unnamed(t) <= unnamed(*chosen);
+    };
+    const bool isTied = std::any_of(tables.begin(), tables.end(), isAsGood);
+    if (isTied && !numbers.ofNamedImages && chosen != tables.begin()) {
+        chosen = tables.begin();
+        if (!isTolerable(unnamed(*chosen), numbers.predictions))
+            throw InputError(
+                "category_id " +
+                std::to_string(usesOutside(chosen->names, nameless).begin()->first) + " " + REMEDY +
+                " (it is none of COCO's 90 categories; do the numbers count 80 from 0, or from "
+                "1?)");
+    }
+    std::string others;
+    for (const Table& table : tables)
+        if (isAsGood(table)) others += (others.empty() ? "" : " or ") + table.meaning;
+    m_names.insert(chosen->names.begin(), chosen->names.end());
+    const std::string reading = "category_ids are read as " + chosen->meaning;
+    if (others.empty())
+        m_note =
+            reading +
+            (numbers.ofNamedImages ? ", as Ultralytics counts: --categories names others" : "");
+    else
+        m_doubt = reading + ", but may as well be " + others +
+                  ": --categories with a file of lines 'number,name' tells";
+}
+
+const std::string& CategoryNumbering::nameOf(int64_t number) const
+{
+    const auto at = m_names.find(number);
+    if (at == m_names.end())
+        throw std::invalid_argument("category_id " + std::to_string(number) + " has no name");
+    return at->second;
 }
 }  // namespace voxeland

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CocoReader.h"
 
+#include "ImageName.h"
+#include "Tolerance.h"
 #include "voxeland/counted.h"
 #include "voxeland/datasets/CocoMasks.h"
 #include "voxeland/errors.h"
@@ -43,6 +45,31 @@ std::optional<std::string> idOf(const json& value)
     if (value.is_string() && !value.get<std::string>().empty()) return value.get<std::string>();
     const auto number = wholeNumber(value);
     return number ? std::optional(std::to_string(*number)) : std::nullopt;
+}
+
+/** Pixels of an image's side; 0 if it is not said. */
+int sideOf(const json& image, const char* key)
+{
+    if (!image.contains(key)) return 0;
+    const json& value = image.at(key);
+    const auto side = value.is_string()   ? parsed<double>(value.get<std::string>())
+                      : value.is_number() ? std::optional(value.get<double>())
+                                          : std::nullopt;
+    return side && *side >= 1 && *side <= LARGEST_IMAGE ? static_cast<int>(*side) : 0;
+}
+
+/** What an object has under a key, unless that is null. */
+const json* in(const json& object, const char* key)
+{
+    if (!object.is_object() || !object.contains(key) || object.at(key).is_null()) return nullptr;
+    return &object.at(key);
+}
+
+/** Whether a prediction's image_id is a name as Ultralytics writes it. */
+bool namesImage(const json& prediction)
+{
+    const json* id = in(prediction, "image_id");
+    return id != nullptr && id->is_string() && isStem(id->get<std::string>());
 }
 
 /** Text of bytes as Python's str() shows it, b'...', as the bytes. */
@@ -135,9 +162,10 @@ void CocoReader::read(const json& root)
 {
     json byImage;
     const json& list = listIn(root, byImage);
-    if (root.is_object() && root.contains("categories")) readCategories(root.at("categories"));
-    if (root.is_object() && root.contains("images")) readImages(root.at("images"));
-    learnNumbering(list);
+    if (const json* categories = in(root, "categories")) readCategories(*categories);
+    const json* images = in(root, "images");
+    if (images) readImages(*images);
+    learnNumbering(list, !images && byImage.is_null());
     for (const auto& prediction : list) {
         m_image.clear();
         try {
@@ -153,6 +181,7 @@ void CocoReader::read(const json& root)
         throw InputError("none of " + counted(list.size(), "prediction") + " can be used, " +
                          m_target.m_leftOut.first());
     keepMostMaskSize();
+    checkImageSizes();
     checkBoxes();
 }
 
@@ -198,42 +227,49 @@ void CocoReader::readImages(const json& list)
                              ": every image needs an 'id' and a text 'file_name'");
         if (m_imageById.count(*id) > 0)
             throw InputError(m_target.m_file + ": two images have the id " + *id);
-        addImage(*id, i.value("file_name", ""));
+        addImage({*id, i.value("file_name", ""), sideOf(i, "width"), sideOf(i, "height"), {}});
     }
 }
 
-size_t CocoReader::addImage(const std::string& id, const std::string& name)
+size_t CocoReader::addImage(CocoPredictions::Image image)
 {
     const size_t position = m_target.m_images.size();
-    m_target.m_images.push_back({id, name, {}});
-    m_imageById.emplace(id, position);
-    if (!name.empty()) m_imageByName.emplace(name, position);
+    m_imageById.emplace(image.id, position);
+    if (!image.name.empty()) m_imageByName.emplace(image.name, position);
+    m_target.m_images.push_back(std::move(image));
     return position;
 }
 
-/** Which numbers there are, and what the file itself says of them. */
-void CocoReader::learnNumbering(const json& list)
+/** Which numbers there are, and what the file itself says of them.
+ *  \param mayNameImages image ids that are names would be the file's own way */
+void CocoReader::learnNumbering(const json& list, bool mayNameImages)
 {
-    std::set<int64_t> numbers;
+    CategoryNumbers numbers;
+    numbers.predictions = list.size();
+    size_t named = 0;
     for (const auto& p : list) {
         if (!p.is_object()) continue;
+        if (namesImage(p)) ++named;
         const auto id = p.contains("category_id") ? wholeNumber(p.at("category_id")) : std::nullopt;
         const bool isNamed = p.contains("category_name") && p.at("category_name").is_string();
         const bool hasScores = p.contains("class_scores") && p.at("class_scores").is_object();
         if (id && *id >= 0 && isNamed)
             m_ownNames.emplace(*id, p.at("category_name").get<std::string>());
         else if (id && *id >= 0 && !hasScores)
-            numbers.insert(*id);
+            ++numbers.uses[*id];
         if (hasScores)
             for (const auto& score : p.at("class_scores").items())
-                if (const auto number = parsed<int64_t>(score.key())) numbers.insert(*number);
+                if (const auto number = parsed<int64_t>(score.key())) ++numbers.uses[*number];
     }
+    numbers.ofNamedImages = mayNameImages && 2 * named > list.size();
     try {
         m_numbering.emplace(m_givenNames, m_ownNames, numbers);
     } catch (const InputError& e) {
         throw InputError(m_target.m_file + ": " + e.what());
     }
     if (!m_numbering->note().empty()) m_target.m_notes.push_back(m_numbering->note());
+    if (!m_numbering->doubt().empty())
+        m_target.m_doubts.push_back(m_target.m_file + ": " + m_numbering->doubt());
 }
 
 void CocoReader::readPrediction(const json& prediction)
@@ -250,8 +286,8 @@ void CocoReader::readPrediction(const json& prediction)
     if (!(score >= 0 && score <= 1 + ROUNDING))
         throw OddEntry("score " + numberText(score) + " is not in [0,1]");
     p.score = static_cast<float>(std::min(score, 1.0));
-    if (prediction.contains("track_id")) {
-        const auto track = wholeNumber(prediction.at("track_id"));
+    if (const json* value = in(prediction, "track_id")) {
+        const auto track = wholeNumber(*value);
         if (!track) throw OddEntry("track_id is not a whole number");
         p.track = *track;
     }
@@ -278,7 +314,7 @@ size_t CocoReader::imageOf(const json& prediction)
         throw OddEntry("its image is not in the list 'images'");
     }
     const bool idIsName = prediction.contains("image_id") && prediction.at("image_id").is_string();
-    return addImage(*id, !name.empty() ? name : idIsName ? *id : "");
+    return addImage({*id, !name.empty() ? name : idIsName ? *id : "", 0, 0, {}});
 }
 
 CategoryDistribution CocoReader::readCategory(const json& prediction) const
@@ -408,6 +444,28 @@ void CocoReader::keepMostMaskSize()
     if (most == m_maskSizes.end()) return;
     m_target.m_maskWidth = most->first.first;
     m_target.m_maskHeight = most->first.second;
+}
+
+/** Sizes that many polygons do not lie in are not those that they were drawn in. */
+void CocoReader::checkImageSizes()
+{
+    size_t polygons = 0, outside = 0;
+    for (const auto& image : m_target.m_images) {
+        if (image.width == 0 || image.height == 0) continue;
+        for (const auto& entry : image.entries) {
+            if (entry.polygons.empty()) continue;
+            const PixelBox box = boundsOf(entry.polygons);
+            ++polygons;
+            if (box.x + box.width / 2 >= image.width || box.y + box.height / 2 >= image.height)
+                ++outside;
+        }
+    }
+    if (isTolerable(outside, polygons)) return;
+    m_target.m_doubts.push_back(m_target.m_file + ": " + counted(outside, "polygon") + " of " +
+                                std::to_string(polygons) +
+                                " lie outside of the width and height that its images are listed"
+                                " with, which are not used: correct them");
+    for (auto& image : m_target.m_images) image.width = image.height = 0;
 }
 
 /** Where most masks are not in their boxes, either is not what COCO means. */

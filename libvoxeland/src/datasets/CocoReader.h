@@ -32,16 +32,17 @@ class CocoReader
                                                nlohmann::json& byImage) const;
     void readCategories(const nlohmann::json& list);
     void readImages(const nlohmann::json& list);
-    void learnNumbering(const nlohmann::json& list);
+    void learnNumbering(const nlohmann::json& list, bool mayNameImages);
     void readPrediction(const nlohmann::json& prediction);
     [[nodiscard]] size_t imageOf(const nlohmann::json& prediction);
-    size_t addImage(const std::string& id, const std::string& name);
+    size_t addImage(CocoPredictions::Image image);
     void readSegmentation(const nlohmann::json& segmentation, CocoPredictions::Entry& entry);
     void readPolygons(const nlohmann::json& segmentation, CocoPredictions::Entry& entry);
     void readRunLengths(const nlohmann::json& segmentation, CocoPredictions::Entry& entry);
     void readBox(const nlohmann::json& prediction, CocoPredictions::Entry& entry);
     [[nodiscard]] CategoryDistribution readCategory(const nlohmann::json& prediction) const;
     void keepMostMaskSize();
+    void checkImageSizes();
     void checkBoxes();
 
     void leaveOut(const std::string& problem);

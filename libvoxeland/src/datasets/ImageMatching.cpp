@@ -4,6 +4,7 @@
 #include "ImageName.h"
 #include "voxeland/counted.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
+#include "voxeland/errors.h"
 
 #include <algorithm>
 #include <functional>
@@ -17,6 +18,8 @@ namespace
 using Images = std::vector<PredictedImage>;
 using Frames = std::vector<DatasetFrame>;
 using Number = std::optional<int64_t>;
+
+const std::string REMEDY = ": rgbd2rawlog --predictions matches by the dataset's own file names";
 
 /** Path of each file, the file's name first. */
 using Paths = std::vector<std::vector<std::string>>;
@@ -95,6 +98,15 @@ std::optional<ImageMatching> matchedByName(const Images& images, const Frames& f
     return matching;
 }
 
+/** Whether one of the images has an earlier name than the one listed before it. */
+bool areShuffled(const Images& images)
+{
+    const auto isEarlier = [](const PredictedImage& a, const PredictedImage& b) {
+        return comesBefore(b.name, a.name);
+    };
+    return std::adjacent_find(images.begin(), images.end(), isEarlier) != images.end();
+}
+
 ImageMatching matchedInOrder(const Images& images, const Frames& frames)
 {
     ImageMatching matching{std::vector<std::optional<size_t>>(frames.size()),
@@ -102,13 +114,13 @@ ImageMatching matchedInOrder(const Images& images, const Frames& frames)
     for (size_t i = 0; i < std::min(frames.size(), images.size()); ++i) matching.imageOf[i] = i;
     const auto comesLater = [](const PredictedImage& a, const PredictedImage& b) {
         const Number before = numberIn(a.name), after = numberIn(b.name);
-        return before && after && *before > *after;
+        return before && after && *before > *after && !comesBefore(a.name, b.name);
     };
     if (images.size() != frames.size())
         matching.doubt = "it lists " + counted(images.size(), "image") + " for " +
-                         counted(frames.size(), "frame");
+                         counted(frames.size(), "frame") + REMEDY;
     else if (std::adjacent_find(images.begin(), images.end(), comesLater) != images.end())
-        matching.doubt = "the names of its images are in another order";
+        matching.doubt = "the names of its images are in another order" + REMEDY;
     return matching;
 }
 
@@ -119,16 +131,20 @@ struct Numbering
     std::function<Number(size_t position)> of;
 };
 
+/** By position among the frames. */
+Numbering countedFrom(int64_t first)
+{
+    return {"by position, counted from " + std::to_string(first),
+            [first](size_t i) { return Number(static_cast<int64_t>(i) + first); }};
+}
+
 std::vector<Numbering> numberings(const Frames& frames)
 {
-    const auto position = [](int64_t first) {
-        return [first](size_t i) { return Number(static_cast<int64_t>(i) + first); };
-    };
     return {{"by frame number", [&](size_t i) { return Number(frames[i].number); }},
             {"by the number that is the image's file name",
              [&](size_t i) { return numberThatIs(frames[i].image); }},
-            {"by position, counted from 1", position(1)},
-            {"by position, counted from 0", position(0)}};
+            countedFrom(1),
+            countedFrom(0)};
 }
 
 /** Positions of the images by their numbers; of equal ones the first. */
@@ -140,6 +156,30 @@ std::map<int64_t, size_t> byNumber(const std::vector<Number>& numbers)
     return result;
 }
 
+/** How many predictions have a frame. */
+size_t predictionsIn(const ImageMatching& matching, const Images& images)
+{
+    size_t predictions = 0;
+    for (const auto& image : matching.imageOf)
+        if (image) predictions += images[*image].predictions;
+    return predictions;
+}
+
+ImageMatching matchedBy(const Numbering& numbering, const std::map<int64_t, size_t>& imageOfNumber,
+                        size_t frames)
+{
+    ImageMatching matching{{}, numbering.how, ""};
+    std::set<size_t> matched;
+    for (size_t f = 0; f < frames; ++f) {
+        const Number number = numbering.of(f);
+        const auto found = number ? imageOfNumber.find(*number) : imageOfNumber.end();
+        auto& image = matching.imageOf.emplace_back();
+        if (found != imageOfNumber.end() && matched.insert(found->second).second)
+            image = found->second;
+    }
+    return matching;
+}
+
 /** The usual numbering, unless another one alone leaves no prediction without a frame. */
 ImageMatching matchedByNumber(const Images& images, const std::vector<Number>& numbers,
                               const Frames& frames)
@@ -147,23 +187,30 @@ ImageMatching matchedByNumber(const Images& images, const std::vector<Number>& n
     const auto imageOfNumber = byNumber(numbers);
     size_t all = 0;
     for (const PredictedImage& i : images) all += i.predictions;
-    std::optional<ImageMatching> usual;
-    for (const Numbering& numbering : numberings(frames)) {
-        ImageMatching matching{{}, numbering.how, ""};
-        std::set<size_t> matched;
-        for (size_t f = 0; f < frames.size(); ++f) {
-            const Number number = numbering.of(f);
-            const auto found = number ? imageOfNumber.find(*number) : imageOfNumber.end();
-            auto& image = matching.imageOf.emplace_back();
-            if (found != imageOfNumber.end() && matched.insert(found->second).second)
-                image = found->second;
-        }
-        size_t predictions = 0;
-        for (const size_t image : matched) predictions += images[image].predictions;
-        if (predictions == all) return matching;
-        if (!usual) usual = std::move(matching);
+    const auto ways = numberings(frames);
+    for (const Numbering& numbering : ways) {
+        auto matching = matchedBy(numbering, imageOfNumber, frames.size());
+        if (predictionsIn(matching, images) == all) return matching;
     }
-    return *usual;
+    return matchedBy(ways.front(), imageOfNumber, frames.size());
+}
+
+/** Says so where numbers may as well count the frames from 1: 0 is not among them though most
+ *  frames' are, or 1 is the first. */
+ImageMatching doubted(ImageMatching matching, const Images& images,
+                      const std::vector<Number>& numbers, const Frames& frames)
+{
+    const auto imageOfNumber = byNumber(numbers);
+    if (imageOfNumber.empty()) return matching;
+    const int64_t first = imageOfNumber.begin()->first;
+    if (first < 1 || (first > 1 && 2 * imageOfNumber.size() < frames.size())) return matching;
+    const auto fromOne = matchedBy(countedFrom(1), imageOfNumber, frames.size());
+    if (fromOne.imageOf != matching.imageOf &&
+        predictionsIn(fromOne, images) >= predictionsIn(matching, images))
+        matching.doubt =
+            "they may as well be counted from 1, as 0 is not among them: give ids from 0, or a list"
+            " 'images' with file names";
+    return matching;
 }
 
 /** Whether numbers go 0, 1, 2, ... or 1, 2, 3, ... */
@@ -195,14 +242,19 @@ ImageMatching matchImages(const Images& images, bool listed, const Frames& frame
 {
     if (auto matching = matchedByName(images, frames)) return *matching;
     if (listed) {
-        if (images.size() != frames.size())
-            if (const auto numbers = tellingNumbers(images, frames))
-                return matchedByNumber(images, *numbers, frames);
-        return matchedInOrder(images, frames);
+        const auto telling = tellingNumbers(images, frames);
+        const bool areAll = images.size() == frames.size(), shuffled = areShuffled(images);
+        if (shuffled && !(areAll && telling))
+            throw InputError("its " + counted(images.size(), "image") +
+                             " are not listed in the order of their names, and none has the name"
+                             " of a frame's image" +
+                             REMEDY);
+        return telling && (shuffled || !areAll) ? matchedByNumber(images, *telling, frames)
+                                                : matchedInOrder(images, frames);
     }
     std::vector<Number> numbers;
     for (const PredictedImage& i : images)
         numbers.push_back(i.number ? i.number : numberIn(i.name));
-    return matchedByNumber(images, numbers, frames);
+    return doubted(matchedByNumber(images, numbers, frames), images, numbers, frames);
 }
 }  // namespace voxeland

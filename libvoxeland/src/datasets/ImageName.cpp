@@ -18,16 +18,54 @@ bool isIn(const std::string& word, std::initializer_list<const char*> words)
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-std::string withoutEnding(const std::string& path)
+/** In front of the ending of a file that is an image; npos if there is none. */
+size_t endingOf(const std::string& path)
 {
     const size_t point = path.rfind('.');
-    if (point == std::string::npos) return path;
+    if (point == std::string::npos) return point;
     std::string ending = path.substr(point + 1);
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const bool isImage =
         isIn(ending, {"jpg", "jpeg", "png", "bmp", "tif", "tiff", "webp", "ppm", "pgm"});
-    return isImage ? path.substr(0, point) : path;
+    return isImage ? point : std::string::npos;
+}
+
+/** Also without what follows the ending in an address, "a.jpg?width=640". */
+std::string withoutEnding(const std::string& path)
+{
+    const std::string file = path.substr(0, path.find('?'));
+    const size_t ending = endingOf(file);
+    return ending != std::string::npos ? file.substr(0, ending) : path.substr(0, endingOf(path));
+}
+
+/** A path's numbers, which compare as such, and what is around them. */
+struct Numerals
+{
+    std::string around;
+    std::vector<std::pair<size_t, std::string>> numbers;  //!< digits, behind how many these are
+};
+
+Numerals numeralsOf(const std::string& path)
+{
+    Numerals result;
+    for (size_t at = 0; at < path.size();) {
+        const size_t end = std::min(path.size(), path.find_first_not_of(DIGITS, at));
+        if (end == at) {
+            result.around += path[at++];
+            continue;
+        }
+        const size_t first = std::min(path.find_first_not_of('0', at), end);
+        result.numbers.emplace_back(end - first, path.substr(first, end - first));
+        result.around += '0';
+        at = end;
+    }
+    return result;
+}
+
+std::string beforeAnnotation(const std::string& path)
+{
+    return withoutEnding(beforeRoboflow(beforeLabelStudio(path)));
 }
 }  // namespace
 
@@ -48,9 +86,10 @@ std::vector<std::string> imagePath(const std::string& path)
     flush();
     for (std::string& p : parts)
         for (char& c : p)
-            if (static_cast<unsigned char>(c) < 0x80 &&
-                std::isalnum(static_cast<unsigned char>(c)) == 0)
-                c = '_';
+            if (static_cast<unsigned char>(c) < 0x80)
+                c = std::isalnum(static_cast<unsigned char>(c)) == 0
+                        ? '_'
+                        : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     std::reverse(parts.begin(), parts.end());
     return parts;
 }
@@ -84,6 +123,26 @@ std::string beforeLabelStudio(const std::string& path)
     const bool isHashed =
         path.find_first_not_of("0123456789abcdef", name) == name + HASH && path[name + HASH] == '-';
     return isHashed ? std::string(path).erase(name, HASH + 1) : path;
+}
+
+bool isStem(const std::string& text)
+{
+    return !text.empty() && text.find_first_of("/\\") == std::string::npos &&
+           withoutEnding(text) == text && !parsed<int64_t>(text);
+}
+
+bool comesBefore(const std::string& path, const std::string& other)
+{
+    const std::string a = beforeAnnotation(path), b = beforeAnnotation(other);
+    const size_t nameOfA = a.find_last_of("/\\") + 1, nameOfB = b.find_last_of("/\\") + 1;
+    if (a.substr(0, nameOfA) == b.substr(0, nameOfB)) {
+        const std::string first = a.substr(nameOfA), second = b.substr(nameOfB);
+        const bool areWhole = parsed<int64_t>(first) && parsed<int64_t>(second);
+        const auto x = parsed<double>(first), y = parsed<double>(second);
+        if (!areWhole && x && y) return *x < *y;
+    }
+    const Numerals x = numeralsOf(a), y = numeralsOf(b);
+    return x.around == y.around && x.numbers < y.numbers;
 }
 
 std::optional<int64_t> numberIn(const std::string& path)

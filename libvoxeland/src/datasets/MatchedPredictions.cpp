@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/MatchedPredictions.h"
 
+#include "Tolerance.h"
 #include "voxeland/counted.h"
 #include "voxeland/datasets/CocoMasks.h"
 #include "voxeland/errors.h"
 #include "voxeland/numbers.h"
 
+#include <cmath>
 #include <set>
 
 namespace voxeland
 {
 namespace
 {
-constexpr size_t TOLERATED = 10;  //!< one in so many predictions may have no frame
-
 std::string sizeText(int width, int height)
 {
     return std::to_string(width) + "x" + std::to_string(height);
@@ -27,6 +27,33 @@ std::vector<PredictedImage> describe(const std::vector<CocoPredictions::Image>& 
     return result;
 }
 
+ImageMatching matchingOf(const CocoPredictions& predictions,
+                         const std::vector<DatasetFrame>& frames)
+{
+    try {
+        return matchImages(describe(predictions.images()), predictions.listsImages(), frames);
+    } catch (const InputError& e) {
+        throw InputError(predictions.file() + ": " + e.what());
+    }
+}
+
+/** A prediction of polygons, scaled as its box is, in an image of this size. */
+InstancePrediction drawn(const CocoPredictions::Entry& entry, double scaleX, double scaleY,
+                         int width, int height)
+{
+    auto polygons = entry.polygons;
+    for (auto& polygon : polygons)
+        for (size_t i = 0; i < polygon.size(); ++i) polygon[i] *= i % 2 == 0 ? scaleX : scaleY;
+    InstancePrediction p = entry.prediction;
+    p.mask = maskFromPolygons(width, height, polygons);
+    const double left = std::floor(p.box.x * scaleX), top = std::floor(p.box.y * scaleY);
+    const double right = std::ceil((p.box.x + p.box.width) * scaleX);
+    const double bottom = std::ceil((p.box.y + p.box.height) * scaleY);
+    p.box = {static_cast<int32_t>(left), static_cast<int32_t>(top),
+             static_cast<int32_t>(right - left), static_cast<int32_t>(bottom - top)};
+    return p;
+}
+
 std::string sentence(const std::string& file, const CocoPredictions::Image& image,
                      const CocoPredictions::Entry& entry, const std::string& problem)
 {
@@ -38,7 +65,7 @@ std::string sentence(const std::string& file, const CocoPredictions::Image& imag
 MatchedPredictions::MatchedPredictions(const CocoPredictions& predictions,
                                        const std::vector<DatasetFrame>& frames)
     : m_predictions(predictions),
-      m_matching(matchImages(describe(predictions.images()), predictions.listsImages(), frames)),
+      m_matching(matchingOf(predictions, frames)),
       m_leftOut(predictions.leftOut())
 {
     checkWithoutFrame();
@@ -63,7 +90,10 @@ void MatchedPredictions::checkWithoutFrame()
                      counted(all, "prediction") + " have no frame, the first of image_id " + first +
                      "; images are matched " + m_matching.how +
                      (m_matching.doubt.empty() ? "" : ", but " + m_matching.doubt);
-    if (m_predictions.isStrict() || count * TOLERATED > all) throw InputError(m_withoutFrame);
+    if (m_predictions.isStrict() || !isTolerable(count, all))
+        throw InputError(
+            m_withoutFrame +
+            (m_leftOut.count() == 0 ? "" : "; " + m_leftOut.told("odd entry", "odd entries")));
 }
 
 size_t MatchedPredictions::countFor(size_t position) const
@@ -90,8 +120,12 @@ CObservationInstances::Ptr MatchedPredictions::instancesFor(size_t position, int
             continue;
         }
         InstancePrediction p = entry.prediction;
-        p.mask = entry.polygons.empty() ? maskFromColumnRuns(width, height, entry.columns.runs())
-                                        : maskFromPolygons(width, height, entry.polygons);
+        if (entry.polygons.empty()) {
+            p.mask = maskFromColumnRuns(width, height, entry.columns.runs());
+        } else {
+            const Scale scale = scaleOf(image, width, height);
+            p = drawn(entry, scale.x, scale.y, width, height);
+        }
         if (p.mask.empty() && !entry.polygons.empty()) {
             m_leftOut.add(sentence(m_predictions.file(), image, entry,
                                    "no pixel of the image is in its polygons"));
@@ -115,16 +149,38 @@ bool MatchedPredictions::fits(const CocoPredictions::Image& image,
     return false;
 }
 
+MatchedPredictions::Scale MatchedPredictions::scaleOf(const CocoPredictions::Image& image,
+                                                      int width, int height)
+{
+    const int w = image.width, h = image.height;
+    if (w == 0 || h == 0 || (w == width && h == height)) return {};
+    if (w == height && h == width)
+        throw InputError(m_predictions.file() + ": image_id " + image.id + " is listed with " +
+                         sizeText(w, h) + " pixels but the image has " + sizeText(width, height) +
+                         ": turn its polygons, or correct its width and height");
+    const Scale scale{static_cast<double>(width) / w, static_cast<double>(height) / h};
+    constexpr double ROUNDING = 0.02;
+    if (m_scaled.empty())
+        m_scaled =
+            "polygons drawn on images of other sizes are scaled to the frames', the first from " +
+            sizeText(w, h) + " to " + sizeText(width, height) + " pixels" +
+            (std::abs(scale.x / scale.y - 1) > ROUNDING
+                 ? ", which is right if those images were stretched, not cut or padded"
+                 : "");
+    return scale;
+}
+
 std::vector<std::string> MatchedPredictions::notes() const
 {
     auto all = m_predictions.notes();
+    if (!m_scaled.empty()) all.push_back(m_scaled);
     all.push_back("images of " + m_predictions.file() + " are matched to frames " + m_matching.how);
     return all;
 }
 
 std::vector<std::string> MatchedPredictions::warnings() const
 {
-    std::vector<std::string> all;
+    std::vector<std::string> all = m_predictions.doubts();
     if (m_predictions.count() == 0) all.push_back(m_predictions.file() + " has no predictions");
     if (!m_withoutFrame.empty())
         all.push_back(m_withoutFrame);

@@ -17,12 +17,15 @@ namespace voxeland
  *
  *  - segmentation: run lengths, compressed or not, or polygons.
  *  - category: "category_name", or "category_id" looked up in the names given, the file's own
- *    "categories", and COCO's: its 90 categories, or its 80 counted from 0 or 1 where nothing else
- *    is possible. "class_scores", an object of scores by category name or number, becomes the
- *    distribution; without it the one category is certain and "score" says how sure.
- *  - score: in [0,1] but for rounding, 1 if absent. bbox: the mask's if absent. track_id: optional.
+ *    "categories", and COCO's: its 90 categories, or its 80 counted from 0 or 1 where those leave
+ *    fewer without a name, and in the files of Ultralytics. "class_scores", an object of scores by
+ *    category name or number, becomes the distribution; without it the one category is certain and
+ *    "score" says how sure.
+ *  - score: in [0,1] but for rounding, 1 if absent. bbox: the mask's if absent. track_id: optional,
+ *    and none if it is null.
  *  - image_id is a number, or the name of the image's file with or without its ending; "file_name"
  *    may stand for it. Which frames these are is for MatchedPredictions to say.
+ *  - width and height of a listed image are those of the image that polygons were drawn on.
  *
  *  Odd entries are left out, and the rest is used. */
 class CocoPredictions
@@ -39,8 +42,9 @@ class CocoPredictions
     /** An image, with what was found in it. */
     struct Image
     {
-        std::string id;    //!< as in the file
-        std::string name;  //!< of its file; may be empty
+        std::string id;     //!< as in the file
+        std::string name;   //!< of its file; may be empty
+        int width, height;  //!< that its polygons and boxes are drawn in [pixels]; 0 if not said
         std::vector<Entry> entries;
     };
 
@@ -68,6 +72,8 @@ class CocoPredictions
     [[nodiscard]] const LeftOut& leftOut() const { return m_leftOut; }
     /** What was found out about the file, a sentence each, for the user. */
     [[nodiscard]] const std::vector<std::string>& notes() const { return m_notes; }
+    /** What may be meant otherwise, a sentence each, for the user. */
+    [[nodiscard]] const std::vector<std::string>& doubts() const { return m_doubts; }
 
  private:
     friend class CocoReader;
@@ -78,6 +84,6 @@ class CocoPredictions
     int m_maskWidth = 0, m_maskHeight = 0;
     bool m_isStrict;
     LeftOut m_leftOut;
-    std::vector<std::string> m_notes;
+    std::vector<std::string> m_notes, m_doubts;
 };
 }  // namespace voxeland

@@ -29,8 +29,10 @@ struct ImageMatching
 /** Matches images to frames: by the names of their files if any is the same, with as much of the
  *  folders as both give and without regard to the ending, or to what annotation tools add; else in
  *  their order, if the file lists all images; else by number, which may be a frame's number, that
- *  of its image's file, or its position from 0 or 1.
- *  \param listed the file has a list of its images, of which some may have no predictions */
+ *  of its image's file, or its position from 0 or 1. Listed images that are not in the order of
+ *  their names count by their numbers if these are just the frames'.
+ *  \param listed the file has a list of its images, of which some may have no predictions
+ *  \throws InputError if neither names nor order nor numbers tell; without the file's name */
 ImageMatching matchImages(const std::vector<PredictedImage>& images, bool listed,
                           const std::vector<DatasetFrame>& frames);
 }  // namespace voxeland

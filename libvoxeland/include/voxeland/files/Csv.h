@@ -14,10 +14,11 @@ struct CsvRow
 };
 
 /** All rows of a table in UTF-8; blank lines are left out. Fields are separated by what separates
- *  those of its first line: tabs, else semicolons, else commas; or by what a first line "sep=;"
- * says. A field in "..." may hold separators, ends of lines and doubled quotes. \param source name
- * of the file, for messages \throws InputError, naming the line, if a quoted field does not end or
- * is followed by more, or if the text is not UTF-8 */
+ *  those of its first line: tabs, else semicolons, else commas; or by what that line says, "sep=;".
+ *  A field in "..." may hold separators, ends of lines and doubled quotes.
+ *  \param source name of the file, for messages
+ *  \throws InputError, naming the line, if a quoted field does not end or is followed by more, or
+ *  if the text is not UTF-8 */
 std::vector<CsvRow> parseCsv(const std::string& text, const std::string& source);
 
 /** The rows below a header.
