@@ -5,6 +5,7 @@
 #include "common/Interruption.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
+#include "voxeland/joined.h"
 #include "voxeland/printable.h"
 
 #include <mrpt/core/exceptions.h>
@@ -27,8 +28,19 @@ namespace
 {
 constexpr const char* LEVELS = "DEBUG, INFO, WARN, ERROR";
 
+/** The arguments that must be given and are not. */
+std::string missing(TCLAP::CmdLineInterface& c)
+{
+    std::vector<std::string> names;
+    auto arguments = c.getArgList();
+    arguments.reverse();
+    for (const TCLAP::Arg* a : arguments)
+        if (a->isRequired() && !a->isSet()) names.push_back(a->shortID());
+    return joined(names, " and ");
+}
+
 /** What is wrong with a command line, with the option's name. */
-std::string problem(const TCLAP::ArgException& e)
+std::string problem(TCLAP::CmdLineInterface& c, const TCLAP::ArgException& e)
 {
     static const std::string TITLE = "Argument: ";
     std::string option = e.argId();
@@ -36,8 +48,16 @@ std::string problem(const TCLAP::ArgException& e)
     if (option.compare(0, TITLE.size(), TITLE) == 0) option.erase(0, TITLE.size());
     const auto isBracket = [](char c) { return c == '(' || c == ')'; };
     option.erase(std::remove_if(option.begin(), option.end(), isBracket), option.end());
-    if (error.compare(0, 15, "Missing a value") == 0) return option + " needs a value";
-    if (error.compare(0, 19, "Couldn't find match") == 0) return "there is no option " + option;
+    const auto begins = [&](const char* with) { return error.rfind(with, 0) == 0; };
+    if (begins("One or more required") || begins("Required argument")) return "give " + missing(c);
+    if (begins("Missing a value")) return option + " needs a value";
+    if (begins("Couldn't find match")) return "there is no option " + option;
+    if (begins("Argument already set")) return option + " is given twice";
+    if (begins("Couldn't read argument value")) {
+        const size_t quote = error.find(" '");
+        return option + " takes a number, not" +
+               (quote == std::string::npos ? " such text" : error.substr(quote));
+    }
     return option + ": " + error;
 }
 
@@ -61,9 +81,9 @@ class HelpOutput : public TCLAP::StdOutput
     {
         std::cout << c.getProgramName() << " " << c.getVersion() << "\n";
     }
-    void failure(TCLAP::CmdLineInterface&, TCLAP::ArgException& e) override
+    void failure(TCLAP::CmdLineInterface& c, TCLAP::ArgException& e) override
     {
-        throw ConfigurationError(problem(e) + " (see --help)");
+        throw ConfigurationError(problem(c, e) + " (see --help)");
     }
 };
 

@@ -124,7 +124,9 @@ Ini configuration(Arguments& arguments, const CVoxelandMap* resumed)
     else if (resumed != nullptr)
         ini = Ini::fromMap(resumed->configText(), arguments.resume.getValue());
     if (arguments.poses.isSet()) ini.set("voxeland.pose_source=tum:" + arguments.poses.getValue());
-    if (arguments.poseAxes.isSet()) ini.set("voxeland.pose_axes=" + arguments.poseAxes.getValue());
+    if (arguments.poseAxes.isSet())
+        ini.set("voxeland.pose_axes=" +
+                nameOf(poseAxesNamed(arguments.poseAxes.getValue(), "--pose-axes")));
     arguments.set.applyTo(ini);
     return ini;
 }
@@ -290,7 +292,8 @@ int makeMap(Arguments& arguments)
         writeAtomically(arguments.timing.getValue(),
                         [&](std::ostream& out) { run.timing.writeCsv(out); });
     if (run.stoppedBefore) endInterrupted(arguments, run);
-    if (map->counts().framesWithoutPredictions == map->counts().frames)
+    if (map->counts().framesWithoutPredictions == map->counts().frames &&
+        map->counts().predictionsWithoutFrame == 0)
         arguments.warn(
             "no frame has predictions, everything is unknown; "
             "they belong in the rawlog or in NAME.instances.rawlog beside it");

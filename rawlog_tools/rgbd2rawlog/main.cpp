@@ -159,13 +159,6 @@ void checkArguments(Arguments& arguments)
         throw ConfigurationError("--depth-scale must be positive");
 }
 
-PoseAxes parsePoseAxes(const std::string& name)
-{
-    for (const auto& [known, axes] : poseAxesByName())
-        if (known == name) return axes;
-    throw ConfigurationError("--pose-axes must be optical, opengl or body, not '" + name + "'");
-}
-
 /** The camera that an option gives, if it is set. */
 std::optional<PinholeCamera> intrinsicsOf(TCLAP::ValueArg<std::string>& option)
 {
@@ -182,7 +175,7 @@ std::unique_ptr<RgbdDatasetReader> open(Arguments& arguments)
     DatasetOptions options;
     options.annotation = arguments.wantsAnnotation() && !arguments.check.isSet();
     options.invertPoses = arguments.invertPoses.isSet();
-    options.poseAxes = parsePoseAxes(arguments.poseAxes.getValue());
+    options.poseAxes = poseAxesNamed(arguments.poseAxes.getValue(), "--pose-axes");
     if (arguments.depthScale.isSet()) options.depthScale = arguments.depthScale.getValue();
     options.camera = intrinsicsOf(arguments.intrinsics);
     options.colourCamera = intrinsicsOf(arguments.colourIntrinsics);

@@ -202,9 +202,13 @@ TEST_F(Rawlog2voxeland, NothingToMapEndsWith4)
     expectFailure(run(), 4, {"pose", "--poses"});
     for (auto& f : frames) f.scan = nullptr;
     write(frames);
-    expectFailure(run(), 4, {"depth_sensor_label"});
+    expectFailure(run(), 4, {"no CObservation3DRangeScan"});
     write(smallFrames(3));
     expectFailure(run({"--from", "10"}), 4, {"range"});
+    expectFailure(run({"--set", "voxeland.depth_sensor_label=front"}), 4,
+                  {"depth_sensor_label = front", "'" + smallFrames(1)[0].scan->sensorLabel + "'"});
+    expectFailure(run({"--set", "voxeland.pose_sensor_label=gps"}), 4,
+                  {"pose_sensor_label = gps", "only of"});
 }
 
 TEST_F(Rawlog2voxeland, AMissingOrForeignInputEndsWith3)

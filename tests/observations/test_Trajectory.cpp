@@ -98,7 +98,7 @@ TEST(Trajectory, OddLinesAreLeftOutCountedAndTheFirstIsNamed)
     for (const char* line :
          {"2 0 0 0 0 0 0\n", "2 0 zero 0 0 0 0 1\n", "2 0 0 0 0 0 0 0\n", "2 0 0 0 1 1 1 1\n",
           "2 nan 0 0 0 0 0 1\n", "2 0 0 0 0 0 0 NaN\n", "nan 0 0 0 0 0 0 1\n", "2\n",
-          "2 inf 0 0 0 0 0 1\n", "2,0,0,0,1,0,0,0,0,0,0,0\n"})
+          "2 inf 0 0 0 0 0 1\n", "2 1e9 0 0 0 0 0 1\n", "2,0,0,0,1,0,0,0,0,0,0,0\n"})
     {
         const Trajectory trajectory = read(good + line + line);
         EXPECT_EQ(trajectory.leftOut.count(), 2u) << line;
@@ -111,6 +111,38 @@ TEST(Trajectory, OddLinesAreLeftOutCountedAndTheFirstIsNamed)
     }
     EXPECT_NE(refusal("# nothing\n").find("no pose"), std::string::npos);
     EXPECT_THROW(Trajectory::fromTumFile("/no/such/file.tum", 1), InputError);
+}
+
+/** At (1, 2, 3), turned by 90 degrees about z: q = (0, 0, sqrt(1/2), sqrt(1/2)). */
+TEST(Trajectory, ColumnsAreThoseThatTheirTitlesSay)
+{
+    const std::string half = "0.70710678";
+    const std::string places = "1,2,3,", turnFirst = half + ",0,0," + half;
+    for (const std::string& text : {
+             "1 1 2 3 0 0 " + half + " " + half,
+             "# timestamp tx ty tz qx qy qz qw\n1 1 2 3 0 0 " + half + " " + half,
+             "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y "
+             "[], "
+             "q_RS_z [], v_RS_R_x [m s^-1], b_w_RS_S_x [rad s^-1]\n1," +
+                 places + turnFirst + ",9,9",
+             "time,qw,qx,qy,qz,x,y,z\n1," + turnFirst + ",1,2,3",
+             "%time,field.header.seq,field.pose.position.x,field.pose.position.y,"
+             "field.pose.position.z,field.pose.orientation.x,field.pose.orientation.y,"
+             "field.pose.orientation.z,field.pose.orientation.w\n1,7," +
+                 places + "0,0," + half + "," + half,
+         })
+    {
+        const auto pose = read(text + "\n").poses.at(mrpt::Clock::fromDouble(1));
+        ASSERT_TRUE(pose) << text;
+        EXPECT_NEAR(pose->x, 1, 1e-6) << text;
+        EXPECT_NEAR(pose->y, 2, 1e-6) << text;
+        EXPECT_NEAR(pose->z, 3, 1e-6) << text;
+        EXPECT_NEAR(pose->yaw, M_PI / 2, 1e-6) << text;
+        EXPECT_NEAR(pose->pitch, 0, 1e-6) << text;
+        EXPECT_NEAR(pose->roll, 0, 1e-6) << text;
+    }
+    EXPECT_EQ(read("# made by a program\n1 1 2 3 0 0 0 1\n").notes.size(), 0U);
+    EXPECT_EQ(read("t,qw,qx,qy,qz,x,y,z\n1,1,0,0,0,1,2,3\n").notes.size(), 1U);
 }
 
 TEST(Trajectory, DecimalCommasAreRefusedByName)

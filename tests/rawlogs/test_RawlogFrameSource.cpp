@@ -81,6 +81,20 @@ TEST_F(SidecarWithGaps, TheCountsOfTwoPartsOfARunAddUp)
     EXPECT_EQ(readAll(m_file, {2, 4, 1}).predictionsWithoutFrame, 2U) << "moments 3 and 4";
 }
 
+TEST(RawlogFrameSource, PredictionsOfAnotherRecordingAreToldWithTheirTimes)
+{
+    const TemporaryFolder folder;
+    auto frames = smallFrames(3);
+    for (SmallFrame& f : frames) f.instances->timestamp += std::chrono::hours(1);
+    writeRawlog(folder.file("in.rawlog"), frames);
+    RawlogFrameSource source(folder.file("in.rawlog"), {}, {});
+    while (source.next()) continue;
+    EXPECT_EQ(source.notes(), std::vector<std::string>{
+                                  "predictions of 3 images in the file beside the rawlog belong to "
+                                  "none of its frames: those are of 1000.000 to 1000.200 s, the "
+                                  "predictions of 4600.000 to 4600.200 s"});
+}
+
 TEST(RawlogFrameSource, TakesOnlyTheSidecarsPredictionsOfTheSensorAskedFor)
 {
     const TemporaryFolder folder;

@@ -43,10 +43,7 @@ class PlacedFrames
 void checkSomethingMapped(const RawlogFrameSource& source, bool mapped)
 {
     if (mapped) return;
-    if (source.framesMet() == 0)
-        throw NothingToMapError(
-            "the rawlog holds no CObservation3DRangeScan of the sensor to map: check "
-            "depth_sensor_label");
+    if (source.framesMet() == 0) throw NothingToMapError(source.whyNoFrames());
     if (source.skipped().framesWithoutPose == 0)
         throw NothingToMapError("none of the rawlog's " + std::to_string(source.framesMet()) +
                                 " frames is in the range asked for");

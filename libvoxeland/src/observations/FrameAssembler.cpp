@@ -84,6 +84,8 @@ void FrameAssembler::addPose(const mrpt::Clock::time_point& time, const mrpt::ma
     if (time == INVALID_TIMESTAMP) return m_oddPoses.add("a pose has no timestamp");
     const auto named = [&] { return "the pose of " + mrpt::system::dateTimeToString(time); };
     if (!isFinite(pose)) return m_oddPoses.add(named() + " has numbers that are not finite");
+    if (!isValidPose(mrpt::poses::CPose3D(pose)))
+        return m_oddPoses.add(named() + " lies 1e9 m or more from the origin");
     if (covariance && !isCovariance(*covariance)) {
         m_oddPoses.add("the covariance of " + named() +
                        " has negative variances or numbers that are not finite");

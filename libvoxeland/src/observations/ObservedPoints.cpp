@@ -2,6 +2,7 @@
 #include "voxeland/observations/ObservedPoints.h"
 
 #include "DepthImageCheck.h"
+#include "DepthImageFile.h"
 #include "voxeland/observations/PixelDirections.h"
 
 #include <mrpt/maps/CPointsMap.h>
@@ -104,7 +105,8 @@ void collect(const CObservation3DRangeScan& scan, PointCollector& out)
 {
     // load() reads the files each time.
     const bool missing = scan.hasRangeImage ? scan.rangeImage.size() == 0 : scan.points3D_x.empty();
-    if (missing) scan.load();
+    if (missing && scan.hasRangeImage) loadDepthImage(scan);
+    if (missing && !scan.hasRangeImage) scan.load();
     if (scan.hasRangeImage)
         collectFromDepthImage(scan, out);
     else

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/PoseAxes.h"
 
+#include "voxeland/errors.h"
+
 #include <algorithm>
+#include <cctype>
 
 namespace voxeland
 {
@@ -18,6 +21,14 @@ const std::string& nameOf(PoseAxes axes)
     return std::find_if(names.begin(), names.end(),
                         [axes](const auto& named) { return named.second == axes; })
         ->first;
+}
+
+PoseAxes poseAxesNamed(std::string name, const std::string& option)
+{
+    std::transform(name.begin(), name.end(), name.begin(), ::tolower);
+    for (const auto& [known, axes] : poseAxesByName())
+        if (known == name) return axes;
+    throw ConfigurationError(option + " must be optical, opengl or body, not '" + name + "'");
 }
 
 mrpt::poses::CPose3D poseOfAxes(PoseAxes axes)

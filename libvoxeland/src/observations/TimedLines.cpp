@@ -50,6 +50,15 @@ std::string withoutSeparator(const std::string& text)
     return separated ? trimmed(rest.substr(1)) : rest;
 }
 
+/** The titles of columns: words between commas or semicolons, where there are any. */
+std::vector<std::string> titlesIn(const std::string& text)
+{
+    const bool separated = text.find_first_of(",;") != std::string::npos;
+    std::vector<std::string> titles = words(text, separated ? ",;" : " \t");
+    for (std::string& title : titles) title = trimmed(title);
+    return titles;
+}
+
 /** A time's unit, which the numbers themselves tell where they are too great for seconds. */
 struct Unit
 {
@@ -88,18 +97,26 @@ TimedLines TimedLines::fromFile(const std::string& file, const std::string& name
 {
     constexpr double MOST = 1e20;
     std::istringstream in(readTextFile(file, "text of lines '" + form + "'"));
-    TimedLines result{name, {}, LeftOut(strict), {}};
+    TimedLines result{name, {}, {}, LeftOut(strict), {}};
     size_t number = 0;
     bool mayBeTitles = true;
     for (std::string text; std::getline(in, text);) {
         ++number;
         text = trimmed(text);
-        if (text.empty() || text[0] == '#') continue;
+        if (text.empty()) continue;
+        if (text[0] == '#') {
+            if (mayBeTitles) result.titles = titlesIn(text.substr(1));
+            continue;
+        }
         const std::string word = text.substr(0, text.find_first_of(SEPARATORS));
         const auto time = parsed<double>(word);
         const TimedLine line{number, time.value_or(0), withoutSeparator(text.substr(word.size()))};
         const bool isFirst = std::exchange(mayBeTitles, false);
-        if (isFirst && !time && std::isalpha(static_cast<unsigned char>(text[0]))) continue;
+        const bool isWord = std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '%';
+        if (isFirst && !time && isWord) {
+            result.titles = titlesIn(text);
+            continue;
+        }
         if (hasDecimalComma(text))
             throw InputError(result.where(line) +
                              " has numbers with decimal commas: write 1.5 for 1,5");

@@ -2,8 +2,8 @@
 #include "voxeland/pipeline/SemanticMapper.h"
 
 #include "../observations/DepthImageCheck.h"
+#include "../observations/DepthImageFile.h"
 #include "voxeland/errors.h"
-#include "voxeland/files/InputFile.h"
 #include "voxeland/observations/MaskCamera.h"
 #include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/Integration.h"
@@ -19,22 +19,6 @@ namespace voxeland
 {
 namespace
 {
-void decode(const RgbdFrame& frame, StageTimes& times)
-{
-    const StageTimer timer(times, Stage::decode);
-    const auto& scan = *frame.scan;
-    const std::string file = scan.rangeImage_isExternallyStored()
-                                 ? scan.rangeImage_getExternalStorageFileAbsolutePath("")
-                                 : std::string();
-    try {
-        if (!file.empty()) checkInputFile(file, "the depth image");
-        scan.load();
-    } catch (const std::exception&) {
-        throw UnusableFrame("the depth image '" + file +
-                            "' cannot be read: restore the rawlog's folder of images");
-    }
-}
-
 /** Whether voxels that a frame saw can all be stored. */
 bool isInRange(const ObservedSpace& space)
 {
@@ -94,7 +78,10 @@ PreparedFrame SemanticMapper::prepare(const RgbdFrame& frame) const
 {
     StageTimes times{};
     times[static_cast<size_t>(Stage::detection)] = frame.detectionTime;
-    decode(frame, times);
+    {
+        const StageTimer timer(times, Stage::decode);
+        loadDepthImage(*frame.scan);
+    }
     const double resolution = m_config.map.resolution;
     const auto camera = (frame.robotPose + frame.scan->sensorPose).translation();
     checkRange(frame, voxeland::isInRange(camera, 1 / resolution));

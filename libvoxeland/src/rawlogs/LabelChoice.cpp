@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/rawlogs/LabelChoice.h"
 
+#include "voxeland/joined.h"
+#include "voxeland/printable.h"
+
 namespace voxeland
 {
 LabelChoice::LabelChoice(std::string what, std::string wanted, std::string key)
@@ -16,7 +19,7 @@ bool LabelChoice::takes(const std::string& label)
 {
     if (!m_isChosen) prefer(label);
     if (label == m_label) return true;
-    if (!m_isAsked) ++m_leftOut[label];
+    ++m_leftOut[label];
     return false;
 }
 
@@ -29,9 +32,19 @@ void LabelChoice::prefer(const std::string& label)
 
 void LabelChoice::tell(std::vector<std::string>& notes) const
 {
+    if (m_isAsked) return;
     for (const auto& [label, count] : m_leftOut)
         notes.push_back(std::to_string(count) + " " + m_what + " of '" + label +
                         "' are left out, as those of '" + m_label + "' are used: choose with " +
                         m_key);
+}
+
+std::string LabelChoice::othersThanAsked() const
+{
+    if (!m_isAsked || m_leftOut.empty()) return "";
+    std::vector<std::string> labels;
+    for (const auto& [label, count] : m_leftOut) labels.push_back("'" + printable(label) + "'");
+    return "there are no " + m_what + " of " + m_key + " = " + m_label + ", only of " +
+           joined(labels, ", ");
 }
 }  // namespace voxeland

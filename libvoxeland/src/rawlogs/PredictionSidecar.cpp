@@ -36,6 +36,7 @@ bool PredictionSidecar::readOne()
         if (!object) m_input.reset();
         const auto predictions = std::dynamic_pointer_cast<CObservationInstances>(object);
         if (!predictions || !m_isWanted(*predictions)) continue;
+        m_times.include(seconds(predictions->timestamp));
         const uint32_t recording =
             m_clock.recordingOf(RecordingClock::Stream::predictions, predictions->timestamp);
         m_ahead.push_back({predictions, std::exchange(m_recording, recording) != recording});

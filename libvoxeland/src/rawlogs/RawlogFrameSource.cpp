@@ -114,7 +114,20 @@ std::vector<std::string> RawlogFrameSource::notes() const
     const uint32_t lost = m_assembler.counts().framesWithoutPose;
     if (lost > 0)
         notes.push_back(counted(lost, "frame") + " left out without a pose: " + whyNoPoses());
+    if (m_sidecarWithoutFrame > 0 && m_sidecarMatched == 0)
+        notes.push_back(
+            "predictions of " + counted(m_sidecarWithoutFrame, "image") +
+            " in the file beside the rawlog belong to none of its frames: those are of " +
+            m_assembler.scanTimes().text() + ", the predictions of " + m_sidecar.times().text());
     return notes;
+}
+
+std::string RawlogFrameSource::whyNoFrames() const
+{
+    const std::string others = m_cameras.othersThanAsked();
+    return others.empty() ? "the rawlog holds no CObservation3DRangeScan: only RGB-D frames can be "
+                            "mapped"
+                          : others;
 }
 
 std::string RawlogFrameSource::whyNoPoses() const
@@ -123,6 +136,8 @@ std::string RawlogFrameSource::whyNoPoses() const
     const bool fromFile = isTumPoseSource(m_options.pose_source);
     if (frames.empty())
         return "they have no timestamps, by which poses are found: set those of the scans";
+    if (poses.empty() && !m_poseSensors.othersThanAsked().empty())
+        return m_poseSensors.othersThanAsked();
     if (poses.empty())
         return "there are no poses of pose_source = " + m_options.pose_source +
                ": choose another one, or give a trajectory with --poses";
@@ -214,6 +229,7 @@ void RawlogFrameSource::takeScan(const CObservation::Ptr& observation)
     estimateFrames();
     CObservationInstances::Ptr predictions;
     if (number <= m_range.to) predictions = m_sidecar.of(observation->timestamp, number);
+    if (predictions) ++m_sidecarMatched;
     if (!isWanted(number)) {
         m_assembler.skipScan(observation->timestamp);
         return;

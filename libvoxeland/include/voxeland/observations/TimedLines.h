@@ -17,12 +17,14 @@ struct TimedLine
 
 /** Text lines `time something`, as TU Munich's RGB-D sequences have them. Blanks, tabs, commas or
  *  semicolons stand behind the time; '#' starts comment lines; a byte order mark, blanks around
- *  lines, ends of lines of other systems and a first line of column titles are no matter. Times too
+ *  lines and ends of lines of other systems are no matter. Columns may have titles, in the first
+ *  line or in the last comment before the others. Times too
  *  great for seconds (beyond the year 5000) are milli-, micro- or nanoseconds. */
 struct TimedLines
 {
     std::string name;                //!< what the file is and its name, for messages
-    std::vector<TimedLine> lines;    //!< in the file's order
+    std::vector<std::string> titles;  //!< of the columns, the time's first; empty: none are given
+    std::vector<TimedLine> lines;     //!< in the file's order
     LeftOut leftOut;                 //!< lines whose time is no number
     std::vector<std::string> notes;  //!< what was assumed: sentences for the user
 

@@ -8,7 +8,8 @@
 
 namespace voxeland
 {
-/** A trajectory in the TUM format: lines `timestamp tx ty tz qx qy qz qw`, seconds and metres, see
+/** A trajectory in the TUM format: lines `timestamp tx ty tz qx qy qz qw`, seconds and metres, or
+ *  with these in the order that titles of columns say (EuRoC's ground truth, other CSV files), see
  *  TimedLines for what else is understood. Lines that give no pose (a number missing or not finite,
  *  a quaternion not of unit length) are left out. */
 struct Trajectory

@@ -42,6 +42,9 @@ class PredictionSidecar
      * that passed it over, or else before this frame. \param toTheEnd reads what remains, too */
     void finish(uint32_t frame, bool toTheEnd);
 
+    /** Times of all predictions that were read. */
+    [[nodiscard]] const TimeRange& times() const { return m_times; }
+
  private:
     struct Ahead
     {
@@ -65,5 +68,6 @@ class PredictionSidecar
     RecordingClock m_clock, m_scanClock;
     uint32_t m_recording = 0, m_scanRecording = 0;
     TimeRange m_scans;  //!< of the recording
+    TimeRange m_times;
 };
 }  // namespace voxeland

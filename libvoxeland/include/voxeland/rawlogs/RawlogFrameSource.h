@@ -73,6 +73,8 @@ class RawlogFrameSource
     [[nodiscard]] std::vector<std::string> notes() const;
     /** Why frames have no pose, as far as their times tell, and what to do. */
     [[nodiscard]] std::string whyNoPoses() const;
+    /** Why framesMet() is zero, and what to do. */
+    [[nodiscard]] std::string whyNoFrames() const;
 
  private:
     /** Gives what the next object of the file holds to the assembler; false at the end. */
@@ -112,6 +114,7 @@ class RawlogFrameSource
     std::atomic<uint32_t> m_expectedFrames = 0;
     uint32_t m_framesMet = 0;
     std::vector<std::string> m_trajectoryNotes;
+    uint32_t m_sidecarMatched = 0;  //!< predictions of the sidecar that a frame has
     uint32_t m_sidecarWithoutFrame =
         0;  //!< predictions of the sidecar that no scan has the timestamp of
     bool m_beyondRange = false, m_finished = false;
