@@ -96,6 +96,15 @@ TEST_F(RawlogAddInstances, aNumberWithoutANameSaysHowToGiveIt)
         3, "category_id 500 has no name: give the names with --categories");
 }
 
+TEST_F(RawlogAddInstances, aListInNoOrderPointsToTheDataset)
+{
+    test::writeFile(path("coco.json"), R"({"images": [{"id": 1, "file_name": "b/12.png"},
+                                                      {"id": 2, "file_name": "b/11.png"}],
+                                           "annotations": []})");
+    expectSentence(add(path("out.rawlog")), 3, "rgbd2rawlog --predictions");
+    EXPECT_FALSE(fs::exists(path("out.instances.rawlog")));
+}
+
 TEST_F(RawlogAddInstances, saysHowImagesWereMatchedAndWhatWasLeftOut)
 {
     const std::string good = R"({"image_id": 1, "category_id": 500, "segmentation":

@@ -337,7 +337,8 @@ TEST_F(CocoPredictionsTest, ultralyticsCountsItsCategoriesOnAfterAnother)
     for (const json& image : {json(7), json("7"), json("rgb/kitchen.png"), json("kitchen.jpg")}) {
         EXPECT_EQ(reading(image, {62, 90}).doubt, "") << image;
         EXPECT_EQ(reading(image, {62, 47}).name, "chair") << image;
-        EXPECT_NE(reading(image, {62, 47}).doubt.find("COCO's 80 names, from 0"), std::string::npos)
+        EXPECT_NE(reading(image, {62, 47}).doubt.find("COCO's 80 names counted from 0"),
+                  std::string::npos)
             << image;
     }
 }

@@ -195,7 +195,12 @@ TEST(ImageMatching, numbersAreThoseOfFramesFirst)
 TEST(ImageMatching, aTextWithoutANameLikeItIsANumber)
 {
     const auto frames = framesWith({"", "", ""});
-    EXPECT_EQ(
-        matchImages(named({"frame-000002.color", "frame-000000.color"}), false, frames).imageOf,
-        (Positions{1, NONE, 0}));
+    const auto matching =
+        matchImages(named({"frame-000002.color", "frame-000000.color"}), false, frames);
+    EXPECT_EQ(matching.imageOf, (Positions{1, NONE, 0}));
+    EXPECT_NE(matching.doubt.find("rgbd2rawlog --predictions"), std::string::npos);
+    auto numbered = named({"000002", "000000"});
+    numbered[0].number = 2;
+    numbered[1].number = 0;
+    EXPECT_EQ(matchImages(numbered, false, frames).doubt, "");
 }

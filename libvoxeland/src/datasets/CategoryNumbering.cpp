@@ -55,9 +55,9 @@ struct Table
 /** \param eightyFirst which come first */
 std::vector<Table> cocoTables(bool eightyFirst)
 {
-    std::vector<Table> tables = {{annotatedCocoNames(), "COCO's numbers, 1 to 90"},
-                                 {cocoNamesFrom(0), "COCO's 80 names, from 0"},
-                                 {cocoNamesFrom(1), "COCO's 80 names, from 1"}};
+    std::vector<Table> tables = {{annotatedCocoNames(), "COCO's numbers 1 to 90"},
+                                 {cocoNamesFrom(0), "COCO's 80 names counted from 0"},
+                                 {cocoNamesFrom(1), "COCO's 80 names counted from 1"}};
     if (eightyFirst) std::rotate(tables.begin(), tables.begin() + 1, tables.end());
     return tables;
 }

@@ -195,11 +195,15 @@ ImageMatching matchedByNumber(const Images& images, const std::vector<Number>& n
     return matchedBy(ways.front(), imageOfNumber, frames.size());
 }
 
-/** Says so where numbers may as well count the frames from 1: 0 is not among them though most
- *  frames' are, or 1 is the first. */
+/** Says so where images are named, but not as frames are, and where numbers may as well count the
+ *  frames from 1: 0 is not among them though most frames' are, or 1 is the first. */
 ImageMatching doubted(ImageMatching matching, const Images& images,
                       const std::vector<Number>& numbers, const Frames& frames)
 {
+    if (std::any_of(images.begin(), images.end(), [](const auto& i) { return !i.number; })) {
+        matching.doubt = "none has the name of a frame's image" + REMEDY;
+        return matching;
+    }
     const auto imageOfNumber = byNumber(numbers);
     if (imageOfNumber.empty()) return matching;
     const int64_t first = imageOfNumber.begin()->first;
