@@ -382,7 +382,8 @@ TEST_F(CocoPredictionsTest, namesGivenFromZeroAreNotTakenForOnesFromOne)
 TEST_F(CocoPredictionsTest, nullIsAsGoodAsAbsent)
 {
     json p = prediction();
-    p["track_id"] = nullptr;
+    for (const char* key : {"track_id", "class_scores", "category_name"}) p[key] = nullptr;
+    EXPECT_EQ(only(p).categories[0].name, "chair");
     EXPECT_EQ(only(p).track, InstancePrediction::NO_TRACK);
     const json root = {{"images", nullptr}, {"categories", nullptr}, {"annotations", {p}}};
     const auto predictions = load(root, {}, true);

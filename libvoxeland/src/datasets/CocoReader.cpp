@@ -319,8 +319,8 @@ size_t CocoReader::imageOf(const json& prediction)
 
 CategoryDistribution CocoReader::readCategory(const json& prediction) const
 {
-    if (prediction.contains("class_scores")) {
-        const auto& scores = prediction.at("class_scores");
+    if (const json* classScores = in(prediction, "class_scores")) {
+        const json& scores = *classScores;
         if (!scores.is_object())
             throw OddEntry("class_scores is not an object of scores by category");
         CategoryDistribution distribution;
@@ -335,8 +335,8 @@ CategoryDistribution CocoReader::readCategory(const json& prediction) const
         if (distribution.empty()) throw OddEntry("class_scores has no positive score");
         return distribution;
     }
-    if (prediction.contains("category_name")) {
-        const auto& name = prediction.at("category_name");
+    if (const json* categoryName = in(prediction, "category_name")) {
+        const json& name = *categoryName;
         if (!name.is_string() || name.get<std::string>().empty())
             throw OddEntry("category_name is not a text");
         return {{name.get<std::string>(), 1.0F}};
