@@ -95,6 +95,8 @@ mrpt::Clock::time_point timeOfFrame(double start, int64_t number)
 
 void checkFolder(const std::string& folder)
 {
+    if (fs::is_regular_file(folder))
+        throw InputError(folder + " is a file: give the folder of the dataset that it belongs to");
     if (!fs::is_directory(folder)) throw InputError("there is no folder " + folder);
 }
 }  // namespace voxeland

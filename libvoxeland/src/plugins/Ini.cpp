@@ -3,11 +3,11 @@
 
 #include "voxeland/ClassicNumbers.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/TextFile.h"
 #include "voxeland/trimmed.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -135,15 +135,13 @@ std::pair<std::string, std::string> identity(std::string section, std::string ke
 
 Ini Ini::fromFile(const std::string& file)
 {
-    std::error_code ignored;
-    std::ifstream in;
-    if (std::filesystem::is_regular_file(file, ignored)) in.open(file);
-    if (!in.is_open())
-        throw ConfigurationError("cannot read the configuration '" + file +
-                                 "': give the path of an INI file, not of a folder or pipe");
-    std::ostringstream text;
-    text << in.rdbuf();
-    Ini ini = fromText(text.str(), file);
+    std::string text;
+    try {
+        text = readTextFile(file, "configuration");
+    } catch (const InputError& e) {
+        throw ConfigurationError(e.what());
+    }
+    Ini ini = fromText(text, file);
     ini.m_folder = std::filesystem::absolute(file).parent_path().string();
     return ini;
 }
