@@ -361,6 +361,9 @@ TEST_F(CocoPredictionsTest, aTenthOfThePredictionsMayHaveAnUnknownCategory)
         ASSERT_EQ(instances.size(), 9U);
         EXPECT_EQ(instances[0].categories[0].name, "chair");
         EXPECT_NE(complaint(withOdd(odd, 2).dump()).find("--categories"), std::string::npos) << odd;
+        json nine = withOdd(odd, 1);
+        nine.erase(9);
+        EXPECT_THROW(load(nine), InputError) << "more than a tenth";
         EXPECT_THROW(load(withOdd(odd, 1), {}, true), InputError) << odd;
         EXPECT_EQ(load(withOdd(odd, 1), CHAIR).count(), 9U) << odd;
         EXPECT_THROW(load(withOdd(odd, 2), CHAIR), InputError) << odd;

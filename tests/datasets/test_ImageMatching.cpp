@@ -156,6 +156,7 @@ TEST(ImageMatching, numbersThatMayCountFromOneAreDoubted)
     EXPECT_NE(doubts({1}).find("'images'"), std::string::npos);
     EXPECT_NE(doubts({2, 3, 4}), "") << "neither the first frame nor the last has any";
     EXPECT_EQ(doubts({3}), "") << "too few to miss 0";
+    EXPECT_EQ(doubts({3, 4}), "") << "of five";
     EXPECT_EQ(doubts({0, 1, 2, 3}), "");
     EXPECT_EQ(doubts({1, 2, 3, 4, 5}), "") << "certain";
     EXPECT_EQ(matchImages(numbered({1, 2, 3, 4, 5}), false, frames).how,
