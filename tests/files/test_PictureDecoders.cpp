@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** What OpenCV makes of damaged pictures where this library is loaded. */
+#include "../../libvoxeland/src/files/PictureDecoders.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+using namespace voxeland;
+
+namespace
+{
+std::vector<uint8_t> encoded(const char* ending)
+{
+    cv::Mat image(40, 60, CV_8UC3);
+    for (int row = 0; row < image.rows; ++row)
+        for (int column = 0; column < image.cols; ++column)
+            image.at<cv::Vec3b>(row, column) =
+                cv::Vec3b(static_cast<uint8_t>(4 * column), static_cast<uint8_t>(6 * row), 90);
+    std::vector<uint8_t> bytes;
+    cv::imencode(ending, image, bytes);
+    return bytes;
+}
+
+/** What is printed on stderr while damaged versions of a picture are decoded. */
+std::string printedBy(const std::vector<uint8_t>& whole)
+{
+    testing::internal::CaptureStderr();
+    for (size_t at = 0; at < whole.size(); ++at) {
+        auto flipped = whole;
+        flipped[at] = static_cast<uint8_t>(flipped[at] ^ 0x10);
+        cv::imdecode(flipped, cv::IMREAD_UNCHANGED);
+    }
+    for (size_t size = 1; size < whole.size(); size += 10)
+        cv::imdecode(
+            std::vector<uint8_t>(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)),
+            cv::IMREAD_UNCHANGED);
+    return testing::internal::GetCapturedStderr();
+}
+}  // namespace
+
+TEST(PictureDecoders, printNothing)
+{
+    const uint64_t before = damagedPictures();
+    EXPECT_EQ(printedBy(encoded(".png")), "");
+    EXPECT_EQ(printedBy(encoded(".jpg")), "");
+    EXPECT_GT(damagedPictures(), before);
+}
