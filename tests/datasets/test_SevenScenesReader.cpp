@@ -193,6 +193,12 @@ TEST_F(SevenScenesReaderTest, aFrameWithADamagedImageIsLeftOut)
                 extension);
         }
     writeSevenScenesFrame(frame(0), "jpg");
+    std::string jpeg = test::readFile(stem + ".color.jpg");
+    const size_t scan = jpeg.find("\xFF\xDA") + 14;
+    std::fill(jpeg.begin() + static_cast<std::ptrdiff_t>(scan), jpeg.end() - 2, '\x7F');
+    test::writeFile(stem + ".color.jpg", jpeg);
+    expectReason("colour image is damaged", "its bytes, but not its length");
+    writeSevenScenesFrame(frame(0), "jpg");
     cv::imwrite(stem + ".depth.png", cv::Mat(24, 32, CV_8U, cv::Scalar(7)));
     expectReason("depth image is not one of 16 bits and one channel", "8 bits");
     cv::imwrite(stem + ".depth.png", cv::Mat(24, 31, CV_16U, cv::Scalar(7)));

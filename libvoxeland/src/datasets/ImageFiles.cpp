@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFiles.h"
 
+#include "../files/PictureDecoders.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -37,9 +38,11 @@ bool isCutJpeg(const std::vector<char>& bytes)
 
 cv::Mat decodeImage(const std::vector<char>& bytes, const std::string& which)
 {
+    const uint64_t damagedBefore = damagedPictures();
     cv::Mat image;
     if (!bytes.empty() && !isCutJpeg(bytes)) image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-    if (image.empty()) throw UnusableFrame(which + " is damaged");
+    if (image.empty() || damagedPictures() != damagedBefore)
+        throw UnusableFrame(which + " is damaged");
     return image;
 }
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 // After <cstdio>, which it needs.
+#include <jerror.h>
 #include <jpeglib.h>
 #include <png.h>
 
@@ -30,9 +31,10 @@ Function* original(const char* name, Function*)
     throw std::runtime_error("a JPEG picture is damaged");
 }
 
-void countJpegWarning(j_common_ptr)
+void countJpegWarning(j_common_ptr picture)
 {
-    ++damaged;
+    // Some cameras leave bytes between the parts of a picture, which harm nothing.
+    if (picture->err->msg_code != JWRN_EXTRANEOUS_DATA) ++damaged;
 }
 
 [[noreturn]] void leavePng(png_structp png, png_const_charp)
