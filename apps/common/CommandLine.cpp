@@ -133,7 +133,7 @@ void say(const std::string& text, size_t maxLength)
 
 int fail(const std::string& program, const std::string& text, int exitCode)
 {
-    constexpr size_t LONGEST = 300;
+    constexpr size_t LONGEST = 299;
     say(program + ": " + text, LONGEST);
     return exitCode;
 }
