@@ -297,7 +297,11 @@ int makeMap(Arguments& arguments)
         arguments.warn(
             "no frame has predictions, everything is unknown; "
             "they belong in the rawlog or in NAME.instances.rawlog beside it");
-    if (arguments.exportDir.isSet()) exportAll(map->map(), arguments.exportDir.getValue());
+    if (arguments.exportDir.isSet()) {
+        WrittenFiles written;
+        written.add(arguments.output.getValue());
+        exportAll(map->map(), arguments.exportDir.getValue(), written);
+    }
     printSummary(*map, run.timing);
     return 0;
 }

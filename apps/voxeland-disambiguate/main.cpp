@@ -7,6 +7,7 @@
 #include "common/SetArgument.h"
 #include "common/TrustPathsArgument.h"
 #include "voxeland/counted.h"
+#include "voxeland/disambiguation/AnswerJournal.h"
 #include "voxeland/disambiguation/Asking.h"
 #include "voxeland/disambiguation/Checkpoint.h"
 #include "voxeland/disambiguation/Decisions.h"
@@ -46,7 +47,8 @@ Who is asked, and about what, is said in section [disambiguation] of the INI: a 
 completions protocol, a person, recorded answers, or by default nobody (the likeliest category stays).
 share/config/disambiguate-*.ini are examples. The rawlog is the one the map was made from.
 
-The output is written after each answer. Run the same command again to go on where a run stopped.
+The output is written at the end; until then answers are kept beside it, in OUT.voxeland.answers. Run
+the same command again to go on where a run stopped, was interrupted or killed.
 Exit codes: 0 done, 1 usage or configuration, 2 back-end, 3 input, 5 output, 130 interrupted.)";
 
 /** The program's command line. */
@@ -169,6 +171,13 @@ void sayWaiting(const DisambiguationReport& report, const std::string& howToAnsw
               << apps::asTyped(command) << "\n";
 }
 
+/** Writes the map with all answers so far. */
+void save(Arguments& arguments, const CVoxelandMap& map, AnswerJournal& journal)
+{
+    saveMap(map, arguments.output.getValue());
+    journal.discard();
+}
+
 /** Ends the program without waiting for what is being asked. */
 [[noreturn]] void endInterrupted(size_t answered)
 {
@@ -178,9 +187,10 @@ void sayWaiting(const DisambiguationReport& report, const std::string& howToAnsw
     std::_Exit(apps::INTERRUPTED);
 }
 
-/** Asks all questions; the map is saved whenever answers have come. \return what came of them */
+/** Asks all questions and saves the map. \return what came of them */
 DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const MapperConfig& config,
-                            const Revision& revision, std::vector<DisambiguationQuestion> questions)
+                            const Revision& revision, AnswerJournal& journal,
+                            std::vector<DisambiguationQuestion> questions)
 {
     DisambiguationReport report;
     for (const DisambiguationQuestion& q : questions) report.before(map.map(), q.instance);
@@ -190,15 +200,20 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
     Asking asking(config.disambiguator, std::move(questions), config.disambiguation);
     while (auto outcomes = asking.next()) {
         for (QuestionOutcome& o : *outcomes) {
-            if (o.decision)
+            if (o.decision) {
                 revision.decide(map.editMap(), o.instance, *o.decision, config.disambiguation);
+                journal.add(o.instance, map.map().instance(o.instance).decisions.back());
+            }
             report.after(map.map(), std::move(o));
             ++done;
         }
-        if (!outcomes->empty()) saveMap(map, arguments.output.getValue());
         progress.update(done);
-        if (interruption.wasRequested()) endInterrupted(done);
+        if (interruption.wasRequested()) {
+            save(arguments, map, journal);
+            endInterrupted(done);
+        }
     }
+    save(arguments, map, journal);
     if (arguments.report.isSet())
         writeAtomically(arguments.report.getValue(),
                         [&](std::ostream& out) { out << report.asJson(map.map()); });
@@ -218,6 +233,22 @@ std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const Se
     return makeQuestions(arguments, asked, config);
 }
 
+/** Takes over what earlier runs were answered. */
+void goOn(Arguments& arguments, CVoxelandMap& map, const MapperConfig& config,
+          const Revision& revision, AnswerJournal& journal)
+{
+    const std::string& output = arguments.output.getValue();
+    const size_t decisions = takeOverDecisions(map, output);
+    const size_t answers = journal.replay(map.map(), [&](instance_id_t id, const Decision& d) {
+        revision.decide(map.editMap(), id, d, config.disambiguation);
+    });
+    if (decisions > 0)
+        arguments.note("going on with " + counted(decisions, "decision") + " in '" + output + "'");
+    if (answers > 0)
+        arguments.note("going on with " + counted(answers, "answer") +
+                       " of a run that did not come to its end");
+}
+
 int ask(Arguments& arguments, CVoxelandMap& map, const std::vector<std::string>& command)
 {
     MapperConfig config(configuration(arguments, map), MapperConfig::Purpose::asking,
@@ -227,10 +258,12 @@ int ask(Arguments& arguments, CVoxelandMap& map, const std::vector<std::string>&
     const bool dry = arguments.dryRun.isSet();
     if (!dry) config.disambiguator->start();
     const Revision revision(map.map(), config.disambiguator->GetRuntimeClass()->className);
-    if (!dry && !config.disambiguation.ask_again)
-        if (const size_t n = takeOverDecisions(map, arguments.output.getValue()); n > 0)
-            arguments.note("going on with " + counted(n, "decision") + " in '" +
-                           arguments.output.getValue() + "'");
+    std::optional<AnswerJournal> journal;
+    if (!dry) {
+        journal.emplace(arguments.output.getValue(), arguments.map.getValue(),
+                        config.disambiguator->GetRuntimeClass()->className);
+        if (!config.disambiguation.ask_again) goOn(arguments, map, config, revision, *journal);
+    }
     auto questions = makeQuestions(arguments, map.map(), revision, config);
     if (dry) {
         writeQuestions(questions, config.disambiguation, arguments.dryRun.getValue());
@@ -238,9 +271,8 @@ int ask(Arguments& arguments, CVoxelandMap& map, const std::vector<std::string>&
         sayTooSmall(map.map(), config.disambiguation);
         return 0;
     }
-    saveMap(map, arguments.output.getValue());
     const DisambiguationReport report =
-        askAll(arguments, map, config, revision, std::move(questions));
+        askAll(arguments, map, config, revision, *journal, std::move(questions));
     std::cout << report.asText();
     sayTooSmall(map.map(), config.disambiguation);
     sayWaiting(report, config.disambiguator->howToAnswer(), command);

@@ -142,8 +142,8 @@ struct Arguments : apps::CommandLine
     TCLAP::ValueArg<std::string> map{"m", "map", "Map to read", true, "", "MAP.voxeland", parser()};
 };
 
-/** Tries to write one format after another: what one of them cannot hold keeps none of the others
- *  from being written. */
+/** Tries to write one format after another: what one of them cannot hold, or cannot be written,
+ * keeps none of the others from being written. */
 class Attempts
 {
  public:
@@ -153,16 +153,25 @@ class Attempts
             write();
         } catch (const ConfigurationError& e) {
             m_refusals.emplace_back(e.what());
+        } catch (const OutputError& e) {
+            m_failures.emplace_back(e.what());
         }
     }
-    /** \throws ConfigurationError that tells what was refused, if anything was */
+    /** Those completed; each is told on stdout. */
+    [[nodiscard]] WrittenFiles& written() { return m_written; }
+    /** \throws OutputError that tells what failed first and what is complete, if anything failed,
+     *  ConfigurationError that tells what was refused, if anything was */
     void finish() const
     {
+        if (!m_failures.empty()) throw OutputError(m_failures.front() + m_written.told());
         if (!m_refusals.empty()) throw ConfigurationError(joined(m_refusals, "; "));
     }
 
  private:
-    std::vector<std::string> m_refusals;
+    std::vector<std::string> m_refusals, m_failures;
+    WrittenFiles m_written{[](const std::string& file) {
+        std::cout << "written: " << printable(file, UNCUT) << "\n";
+    }};
 };
 
 /** Heights asked for, or else these, in the level frame. Says on stderr where they are. */
@@ -178,22 +187,15 @@ HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map, const L
     return {floor + heights.low, floor + heights.high};
 }
 
-void written(const std::string& file)
-{
-    std::cout << "written: " << printable(file, UNCUT) << "\n";
-}
-
-void writePly(Arguments& arguments, const SemanticVoxelMap& map)
+void writePly(Arguments& arguments, const SemanticVoxelMap& map, WrittenFiles& written)
 {
     const bool occupiedOnly = !arguments.all.isSet();
     if (arguments.ply.isSet()) {
         exportPly(map, arguments.ply.getValue(), occupiedOnly);
-        written(arguments.ply.getValue());
+        written.add(arguments.ply.getValue());
     }
     if (arguments.perInstance.isSet())
-        for (const std::string& file :
-             exportPlyPerInstance(map, arguments.perInstance.getValue(), occupiedOnly))
-            written(file);
+        exportPlyPerInstance(map, arguments.perInstance.getValue(), written, occupiedOnly);
 }
 
 void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame,
@@ -205,14 +207,14 @@ void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const LevelFr
     if (arguments.gridmap.isSet())
         attempts.attempt([&] {
             exportGridmap(slice, arguments.gridmap.getValue());
-            written(arguments.gridmap.getValue());
+            attempts.written().add(arguments.gridmap.getValue());
         });
     if (arguments.rosMap.isSet())
         attempts.attempt([&] {
             const std::string& yaml = arguments.rosMap.getValue();
             exportRosMap(slice, yaml);
-            written(rosImageOf(yaml));
-            written(yaml);
+            attempts.written().add(rosImageOf(yaml));
+            attempts.written().add(yaml);
         });
 }
 
@@ -228,7 +230,8 @@ bool isInMap(const SemanticVoxelMap& map, const std::string& name)
                        [&](const InstanceSummary& s) { return fits(s.category()); });
 }
 
-void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
+void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame,
+                 WrittenFiles& written)
 {
     PointsFilter filter;
     filter.frame = frame;
@@ -240,7 +243,7 @@ void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelF
     if (arguments.height.isSet()) filter.heights = heightsOf(arguments, map, frame, {});
     if (exportPoints(map, filter, arguments.points.getValue()) == 0)
         arguments.warn("no voxel is of these categories and heights");
-    written(arguments.points.getValue());
+    written.add(arguments.points.getValue());
 }
 
 /** An output that is one file. */
@@ -250,14 +253,14 @@ void writeFile(TCLAP::ValueArg<std::string>& output, Attempts& attempts,
     if (!output.isSet()) return;
     attempts.attempt([&] {
         write(output.getValue());
-        written(output.getValue());
+        attempts.written().add(output.getValue());
     });
 }
 
 void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
 {
     Attempts attempts;
-    attempts.attempt([&] { writePly(arguments, map); });
+    attempts.attempt([&] { writePly(arguments, map, attempts.written()); });
     writeFile(arguments.json, attempts,
               [&](const std::string& file) { exportJson(map, frame, file); });
     writeFile(arguments.csv, attempts,
@@ -269,13 +272,14 @@ void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const LevelFram
     writeFile(arguments.octomap, attempts,
               [&](const std::string& file) { exportOctoMap(map, file); });
     attempts.attempt([&] { writeGrids(arguments, map, frame, attempts); });
-    if (arguments.points.isSet()) attempts.attempt([&] { writePoints(arguments, map, frame); });
-    if (arguments.pngDir.isSet()) {
-        ViewOptions views;
-        views.up = frame.axes()[2];
-        for (const std::string& file : exportViews(map, arguments.pngDir.getValue(), views))
-            written(file);
-    }
+    if (arguments.points.isSet())
+        attempts.attempt([&] { writePoints(arguments, map, frame, attempts.written()); });
+    if (arguments.pngDir.isSet())
+        attempts.attempt([&] {
+            ViewOptions views;
+            views.up = frame.axes()[2];
+            exportViews(map, arguments.pngDir.getValue(), attempts.written(), views);
+        });
     attempts.finish();
 }
 
@@ -332,8 +336,10 @@ int run(int argc, char** argv)
     if (arguments.up.isSet()) up = apps::parseDirection("up", arguments.up.getValue());
     check(arguments);
 
-    SemanticVoxelMap map = loadMap(arguments.map.getValue())->map();
-    if (arguments.minVoxels.isSet()) dismissSmallInstances(map, arguments.minVoxels.getValue());
+    const auto loaded = loadMap(arguments.map.getValue());
+    if (arguments.minVoxels.isSet())
+        dismissSmallInstances(loaded->editMap(), arguments.minVoxels.getValue());
+    const SemanticVoxelMap& map = loaded->map();
     writeAll(arguments, map, LevelFrame(up ? *up : estimateUp(map)));
     return 0;
 }

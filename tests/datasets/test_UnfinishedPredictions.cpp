@@ -91,3 +91,18 @@ TEST_F(UnfinishedPredictionsTest, WhatALinkLeadsToIsLeftAlone)
     EXPECT_THROW(askedUpTo(1), OutputError);
     EXPECT_EQ(test::readFile(m_folder.file("mine.txt")), "mine");
 }
+
+TEST_F(UnfinishedPredictionsTest, TwoRunsOfOneOutputDoNotMix)
+{
+    UnfinishedPredictions first(m_file, "net");
+    EXPECT_THROW(UnfinishedPredictions(m_file, "net"), OutputError);
+}
+
+TEST_F(UnfinishedPredictionsTest, WhatWasDamagedIsAskedAgain)
+{
+    askedUpTo(4);
+    std::string bytes = test::readFile(m_file);
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    test::writeFile(m_file, bytes);
+    EXPECT_EQ(askedUpTo(4), Frames{3});
+}

@@ -3,7 +3,9 @@
 
 #include "common/CommandLine.h"
 
+#include <algorithm>
 #include <iostream>
+#include <limits>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,19 +13,19 @@ namespace voxeland::test
 {
 namespace
 {
-/** Ends the process as a program would that does this work; tells in the pipe whether a call
- * failed. */
-[[noreturn]] void workAndEnd(unsigned n, const std::function<void()>& work, int messages, int hit)
+/** Ends the process as a program would that does this work; tells in a pipe how many calls there
+ * were. */
+[[noreturn]] void workAndEnd(const std::function<void()>& work, int messages, int calls)
 {
     dup2(messages, STDERR_FILENO);
     const int exitCode = apps::runProgram("attempt", [&] {
         work();
         return 0;
     });
-    const bool wasHit = callsSeen() >= n;
+    const std::string seen = std::to_string(callsSeen());
     failFrom(Calls::none, 1, 0);
     std::cerr << std::flush;
-    if (write(hit, wasHit ? "y" : "n", 1) != 1) _exit(127);
+    if (write(calls, seen.data(), seen.size()) < 0) _exit(127);
     _exit(exitCode);
 }
 
@@ -41,18 +43,20 @@ std::string contentOf(int pipe)
 Attempt attempt(Calls kind, unsigned n, int error, unsigned times,
                 const std::function<void()>& work)
 {
-    int messages[2], hit[2];
-    if (pipe(messages) != 0 || pipe(hit) != 0) throw std::runtime_error("no pipe");
+    int messages[2], calls[2];
+    if (pipe(messages) != 0 || pipe(calls) != 0) throw std::runtime_error("no pipe");
     const pid_t child = fork();
     if (child == 0) {
         failFrom(kind, n, error, times);
-        workAndEnd(n, work, messages[1], hit[1]);
+        workAndEnd(work, messages[1], calls[1]);
     }
     close(messages[1]);
-    close(hit[1]);
+    close(calls[1]);
     Attempt result;
+    result.call = n;
     result.message = contentOf(messages[0]);
-    result.wasHit = contentOf(hit[0]) != "n";
+    const std::string seen = contentOf(calls[0]);
+    if (!seen.empty()) result.calls = static_cast<unsigned>(std::stoul(seen));
     int status = 0;
     waitpid(child, &status, 0);
     if (WIFEXITED(status)) result.exitCode = WEXITSTATUS(status);
@@ -60,14 +64,17 @@ Attempt attempt(Calls kind, unsigned n, int error, unsigned times,
     return result;
 }
 
-unsigned attemptAll(Calls kind, int error, unsigned times, unsigned step,
+unsigned attemptAll(Calls kind, int error, unsigned times, unsigned most,
                     const std::function<void()>& work,
                     const std::function<void(const Attempt&)>& afterwards)
 {
-    for (unsigned n = 1, attempts = 1;; n += step, ++attempts) {
-        const Attempt result = attempt(kind, n, error, times, work);
-        afterwards(result);
-        if (!result.wasHit) return attempts;
+    const Attempt whole = attempt(kind, std::numeric_limits<unsigned>::max(), 0, ONCE, work);
+    afterwards(whole);
+    unsigned attempts = 1;
+    for (unsigned n = 1; n <= whole.calls; n += std::max(1U, whole.calls / most)) {
+        afterwards(attempt(kind, n, error, times, work));
+        ++attempts;
     }
+    return attempts;
 }
 }  // namespace voxeland::test

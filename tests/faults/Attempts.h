@@ -13,19 +13,19 @@ struct Attempt
     int exitCode = -1;    //!< as a program's that does it; -1: ended by a signal
     int signal = 0;       //!< which
     std::string message;  //!< the sentence of an exception
-    bool wasHit = false;  //!< whether a call failed, or the process was killed
+    unsigned call = 0;    //!< which call was to fail, from 1
+    unsigned calls = 0;   //!< of that kind there were; 0 if a signal ended it
 };
 
 /** Does work that calls fail in. The process that tries must have no threads. */
 Attempt attempt(Calls kind, unsigned n, int error, unsigned times,
                 const std::function<void()>& work);
 
-/** Does work again and again, in which the first call of a kind fails, the second, and so on until
- * no call is left to fail.
- *  \param step of so many calls one fails
+/** Does work again and again, in which the first call of a kind fails, the second, and so on.
+ *  \param most attempts: where there are more calls, one of so many fails
  *  \param afterwards looks at what each attempt left
  *  \return attempts */
-unsigned attemptAll(Calls kind, int error, unsigned times, unsigned step,
+unsigned attemptAll(Calls kind, int error, unsigned times, unsigned most,
                     const std::function<void()>& work,
                     const std::function<void(const Attempt&)>& afterwards);
 }  // namespace voxeland::test

@@ -43,6 +43,16 @@ bool fails(Calls kind)
     return true;
 }
 
+/** What a program says is not what it writes. */
+bool isFile(int descriptor)
+{
+    return descriptor > STDERR_FILENO;
+}
+bool isFile(FILE* stream)
+{
+    return stream != stdout && stream != stderr;
+}
+
 template <typename Function>
 Function* next(const char* name)
 {
@@ -79,12 +89,6 @@ CALL(read, -1, ssize_t, read, (int f, void* data, size_t n), (f, data, n))
 CALL(read, -1, ssize_t, pread64, (int f, void* data, size_t n, off64_t at), (f, data, n, at))
 CALL(read, -1, ssize_t, readv, (int f, const iovec* data, int n), (f, data, n))
 CALL(read, 0, size_t, fread, (void* data, size_t size, size_t n, FILE* f), (data, size, n, f))
-CALL(write, -1, ssize_t, write, (int f, const void* data, size_t n), (f, data, n))
-CALL(write, -1, ssize_t, pwrite64, (int f, const void* data, size_t n, off64_t at),
-     (f, data, n, at))
-CALL(write, -1, ssize_t, writev, (int f, const iovec* data, int n), (f, data, n))
-CALL(write, 0, size_t, fwrite, (const void* data, size_t size, size_t n, FILE* f),
-     (data, size, n, f))
 CALL(write, -1, int, ftruncate64, (int f, off64_t size), (f, size))
 CALL(write, -1, int, truncate64, (const char* file, off64_t size), (file, size))
 CALL(write, -1, ssize_t, copy_file_range,
@@ -104,6 +108,13 @@ CALL(name, -1, int, symlink, (const char* to, const char* file), (to, file))
 CALL(open, nullptr, FILE*, fopen, (const char* file, const char* mode), (file, mode))
 CALL(open, nullptr, FILE*, fopen64, (const char* file, const char* mode), (file, mode))
 
+#define WRITE(failure, result, name, parameters, target, arguments)                \
+    extern "C" result name parameters                                              \
+    {                                                                              \
+        static auto* const real = next<result parameters>(#name);                  \
+        return isFile(target) && fails(Calls::write) ? (failure) : real arguments; \
+    }
+
 #define OPEN(name)                                                                 \
     extern "C" int name(const char* file, int flags, ...)                          \
     {                                                                              \
@@ -114,6 +125,11 @@ CALL(open, nullptr, FILE*, fopen64, (const char* file, const char* mode), (file,
         va_end(more);                                                              \
         return fails(Calls::open) ? -1 : real(file, flags, mode);                  \
     }
+
+WRITE(-1, ssize_t, write, (int f, const void* data, size_t n), f, (f, data, n))
+WRITE(-1, ssize_t, pwrite64, (int f, const void* data, size_t n, off64_t at), f, (f, data, n, at))
+WRITE(-1, ssize_t, writev, (int f, const iovec* data, int n), f, (f, data, n))
+WRITE(0, size_t, fwrite, (const void* data, size_t size, size_t n, FILE* f), f, (data, size, n, f))
 
 OPEN(open)
 OPEN(open64)

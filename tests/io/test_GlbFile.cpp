@@ -11,6 +11,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <random>
+#include <set>
 
 using namespace voxeland;
 using nlohmann::json;
@@ -150,11 +152,40 @@ TEST(GlbFile, eachInstanceIsAClosedMeshOfItsOuterFaces)
     const Solid box = measure(glb, nodes[1]), cup = measure(glb, nodes[2]);
     EXPECT_NEAR(box.area, 0.24, 1e-6);
     EXPECT_NEAR(box.volume, 0.008, 1e-6);
-    EXPECT_EQ(box.triangles, 48U);
+    EXPECT_EQ(box.triangles, 12U) << "four faces of a side are one rectangle";
     EXPECT_TRUE(box.normalsFit);
     EXPECT_NEAR(cup.area, 0.06, 1e-6);
     EXPECT_NEAR(cup.volume, 0.001, 1e-6);
     EXPECT_TRUE(cup.normalsFit);
+}
+
+/** Of a random heap: each face that no other voxel of the instance covers is there, once. */
+TEST(GlbFile, facesSideBySideAreMergedAndNoneIsLost)
+{
+    SemanticVoxelMap map = test::emptyMap();
+    const auto heap = test::addInstance(map, {{"heap", 1}}),
+               hole = test::addInstance(map, {{"hole", 1}});
+    std::set<std::array<int, 3>> there;
+    std::mt19937 random(5);
+    for (int x = -5; x < 5; ++x)
+        for (int y = -5; y < 5; ++y)
+            for (int z = -5; z < 5; ++z) {
+                const bool isHeap = random() % 4 != 0;
+                test::addVoxel(map, {x, y, z}, {{isHeap ? heap : hole, 1}});
+                if (isHeap) there.insert({x, y, z});
+            }
+    size_t faces = 0;
+    for (const auto& [x, y, z] : there)
+        for (const auto& n :
+             {std::array{x - 1, y, z}, std::array{x + 1, y, z}, std::array{x, y - 1, z},
+              std::array{x, y + 1, z}, std::array{x, y, z - 1}, std::array{x, y, z + 1}})
+            faces += there.count(n) == 0 ? 1 : 0;
+    const Glb glb = exported(map);
+    const Solid solid = measure(glb, glb.document["nodes"][1]);
+    EXPECT_NEAR(solid.area, 0.01 * static_cast<double>(faces), 1e-4);
+    EXPECT_NEAR(solid.volume, 0.001 * static_cast<double>(there.size()), 1e-5);
+    EXPECT_TRUE(solid.normalsFit);
+    EXPECT_LT(solid.triangles, 2 * faces * 3 / 4);
 }
 
 TEST(GlbFile, materialsHaveTheColoursOfInstances)

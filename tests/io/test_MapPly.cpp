@@ -173,7 +173,9 @@ TEST(MapPly, oneFileAnInstance)
     SemanticVoxelMap map = tinyMap();
     const auto desk = test::addInstance(map, {{"dining table/../", 1}});
     test::addVoxel(map, {7, 7, 7}, {{desk, 1}});
-    const auto files = exportPlyPerInstance(map, folder.file("all"));
+    WrittenFiles written;
+    exportPlyPerInstance(map, folder.file("all"), written);
+    const auto& files = written.names();
     std::vector<std::string> expected;
     for (const char* name : {"0_unknown", "1_chair", "2_cup", "3_dining_table____"})
         expected.push_back(folder.file("all") + "/" + name + ".ply");
@@ -187,7 +189,9 @@ TEST(MapPly, oneFileAnInstance)
 
 TEST(MapPly, unwritable)
 {
-    EXPECT_THROW(exportPlyPerInstance(tinyMap(), "/dev/null/below"), OutputError);
+    WrittenFiles none;
+    EXPECT_THROW(exportPlyPerInstance(tinyMap(), "/dev/null/below", none), OutputError);
+    EXPECT_TRUE(none.names().empty());
     EXPECT_THROW(exportPly(tinyMap(), "/no/such/folder/map.ply"), OutputError);
     EXPECT_THROW(exportPly(tinyMap(), "/dev/full"), OutputError);
 }

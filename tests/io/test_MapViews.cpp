@@ -56,7 +56,8 @@ cv::Mat3b viewOf(const SemanticVoxelMap& map, const std::string& name,
     ViewOptions options;
     options.height = HEIGHT;
     options.up = up;
-    exportViews(map, folder.path().string(), options);
+    WrittenFiles written;
+    exportViews(map, folder.path().string(), written, options);
     return cv::imread(folder.file(name));
 }
 
@@ -84,7 +85,9 @@ TEST(MapViews, writesTenPicturesOfTheSizeAskedFor)
     const TemporaryFolder folder;
     ViewOptions options;
     options.height = HEIGHT;
-    const auto files = exportViews(room(), folder.file("new/folder"), options);
+    WrittenFiles written;
+    exportViews(room(), folder.file("new/folder"), written, options);
+    const auto& files = written.names();
     ASSERT_EQ(files.size(), NAMES.size());
     for (size_t i = 0; i < NAMES.size(); ++i) {
         EXPECT_EQ(files[i], folder.file("new/folder") + "/" + NAMES[i]);
@@ -166,22 +169,44 @@ TEST(MapViews, refusesWhatItCannotDo)
 {
     const TemporaryFolder folder;
     test::writeFile(folder.file("file"), "");
-    EXPECT_THROW(exportViews(room(), folder.file("file")), OutputError);
-    EXPECT_THROW(exportViews(room(), folder.file("file/below")), OutputError);
+    WrittenFiles written;
+    EXPECT_THROW(exportViews(room(), folder.file("file"), written), OutputError);
+    EXPECT_THROW(exportViews(room(), folder.file("file/below"), written), OutputError);
     ViewOptions options;
     options.up = mrpt::math::TVector3D(0, 0, 0);
-    EXPECT_THROW(exportViews(room(), folder.file("a"), options), ConfigurationError);
+    EXPECT_THROW(exportViews(room(), folder.file("a"), written, options), ConfigurationError);
     options = ViewOptions();
     options.height = 10;
-    EXPECT_THROW(exportViews(room(), folder.file("a"), options), ConfigurationError);
+    EXPECT_THROW(exportViews(room(), folder.file("a"), written, options), ConfigurationError);
 }
 
 TEST(ExportAll, writesEverythingAndSaysSo)
 {
     const TemporaryFolder folder;
-    const auto files = exportAll(test::tinyMap(), folder.file("out"));
+    WrittenFiles written;
+    exportAll(test::tinyMap(), folder.file("out"), written);
+    const auto& files = written.names();
     EXPECT_EQ(files.size(), 3 + NAMES.size());
     for (const std::string& f : files) EXPECT_TRUE(std::filesystem::is_regular_file(f)) << f;
     const auto there = std::distance(std::filesystem::directory_iterator(folder.file("out")), {});
     EXPECT_EQ(static_cast<size_t>(there), files.size());
+}
+
+TEST(ExportAll, tellsWhichFilesAreCompleteWhenOneFails)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.file("out/categories_top.png"));
+    WrittenFiles written;
+    try {
+        exportAll(test::tinyMap(), folder.file("out"), written);
+        FAIL() << "no exception";
+    } catch (const OutputError& e) {
+        const std::string what = e.what();
+        EXPECT_NE(what.find("categories_top.png: it is a folder"), std::string::npos) << what;
+        EXPECT_NE(what.find("; complete: map.ply, instances.json, instances.csv and "),
+                  std::string::npos)
+            << what;
+    }
+    for (const std::string& file : written.names())
+        EXPECT_TRUE(std::filesystem::is_regular_file(file)) << file;
 }

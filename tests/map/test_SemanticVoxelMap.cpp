@@ -110,11 +110,11 @@ TEST(SemanticVoxelMap, MergeKeepsTheHistoryOfBoth)
     const instance_id_t a = map.createInstance().id, b = map.createInstance().id;
     map.instance(a).observations = 2;
     map.instance(a).firstFrame = 5;
-    map.instance(a).lastFrame = 6;
+    map.saw(a, 6);
     map.instance(a).tracks = {1};
     map.instance(b).observations = 3;
     map.instance(b).firstFrame = 4;
-    map.instance(b).lastFrame = 9;
+    map.saw(b, 9);
     map.instance(b).tracks = {1, 7};
     map.addEvidence({0, 0, 0}, a, 2);
     map.addEvidence({0, 0, 0}, b, 3);
@@ -272,4 +272,23 @@ TEST(SemanticVoxelMap, OptionsThatShapeTheVoxelsAreFixedOnceThereAreSome)
     other.entropy = EntropyMeasure::paper;
     EXPECT_NO_THROW(map.setOptions(other));
     EXPECT_EQ(map.options().entropy, EntropyMeasure::paper);
+}
+
+TEST(SemanticVoxelMap, KnowsWhichInstancesWereSeenSinceAFrame)
+{
+    SemanticVoxelMap map;
+    std::vector<instance_id_t> ids;
+    for (int i = 0; i < 5; ++i) ids.push_back(map.createInstance().id);
+    map.saw(ids[3], 4);
+    map.saw(ids[1], 9);
+    map.saw(ids[2], 4);
+    map.saw(ids[2], 7);
+    const auto since = [&](uint32_t frame) { return map.seenSince(frame); };
+    using Ids = std::vector<instance_id_t>;
+    EXPECT_EQ(since(0), ids);
+    EXPECT_EQ(since(4), (Ids{ids[1], ids[2], ids[3]}));
+    EXPECT_EQ(since(8), Ids{ids[1]});
+    map.merge(ids[0], ids[1], 9);
+    EXPECT_EQ(since(5), (Ids{ids[0], ids[2]}));
+    EXPECT_EQ(since(10), Ids());
 }

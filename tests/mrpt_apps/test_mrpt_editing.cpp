@@ -16,6 +16,7 @@ constexpr int FRAMES = 6;
 std::vector<std::string> predictionsIn(const std::string& rawlog)
 {
     GzInputFile in(rawlog);
+    in.keepObjectBytes();
     std::vector<std::string> result;
     while (const auto object = in.readObject())
         if (std::dynamic_pointer_cast<CObservationInstances>(object))

@@ -24,7 +24,8 @@ inline instance_id_t addInstance(SemanticVoxelMap& map, const std::string& categ
     Instance& instance = map.createInstance();
     instance.categories.add(number, beta);
     instance.observations = 1;
-    instance.firstFrame = instance.lastFrame = lastFrame;
+    instance.firstFrame = lastFrame;
+    map.saw(instance.id, lastFrame);
     return instance.id;
 }
 

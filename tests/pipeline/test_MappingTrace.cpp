@@ -112,7 +112,7 @@ TEST(MappingTrace, TellsOfEveryDivisionAndPair)
     std::ostringstream out;
     MappingTrace trace(out, config());
     MappingCounts counts;
-    refine(map, *evidentialPolicy(), handMadeRefinement(), 0, counts, &trace);
+    refine(map, *evidentialPolicy(), handMadeRefinement(), 0, true, counts, &trace);
     EXPECT_EQ(counts.splits, 1U);
     EXPECT_EQ(counts.merges, 1U);
 

@@ -49,7 +49,7 @@ MappingCounts refined(SemanticVoxelMap& map, const RefinementOptions& options,
                       uint32_t sinceFrame = 0)
 {
     MappingCounts counts;
-    refine(map, *evidentialPolicy(), options, sinceFrame, counts);
+    refine(map, *evidentialPolicy(), options, sinceFrame, true, counts);
     return counts;
 }
 
@@ -285,7 +285,7 @@ TEST(Refinement, OverlapsAreThoseOfBruteForce)
     options.split = false;
     const CWitnessPolicy witness;
     MappingCounts counts;
-    refine(map, witness, options, SINCE, counts);
+    refine(map, witness, options, SINCE, true, counts);
     size_t expected = 0;
     for (const auto& [pair, count] : shared) expected += pair.second > SINCE ? 1 : 0;
     EXPECT_EQ(witness.asked().size(), expected);
@@ -313,11 +313,34 @@ TEST(Dismissal, TakesTooLittleEvidenceAndTooLongOutOfSightTogether)
     options.patience = 20;
     MappingCounts counts;
     counts.frames = 30;
-    refine(map, *evidentialPolicy(), options, 0, counts);
+    refine(map, *evidentialPolicy(), options, 0, true, counts);
     EXPECT_EQ(map.dismissed(), std::set<instance_id_t>{1});
     EXPECT_EQ(map.instance(1).voxels, 8U) << "the record is kept";
 
     map.instance(1).categories.add(map.categories().add("cup"), 0.2);  // seen again
-    refine(map, *evidentialPolicy(), options, 0, counts);
+    refine(map, *evidentialPolicy(), options, 0, true, counts);
     EXPECT_TRUE(map.dismissed().empty());
+}
+
+TEST(Dismissal, LooksAtWhatWasSeenLatelyAloneAndGivesTheSame)
+{
+    RefinementOptions options;
+    options.min_evidence = 1.5;
+    options.patience = 20;
+    options.every = 10;
+    SemanticVoxelMap lately = handMadeMap();
+    for (uint32_t frame = 0; frame < 60; ++frame)
+        addInstance(lately, "cup", frame % 2 == 0 ? 1.4 : 1.6, frame);
+    SemanticVoxelMap all = lately;
+    MappingCounts counts;
+    for (counts.frames = 10; counts.frames <= 120; counts.frames += 10) {
+        for (SemanticVoxelMap* map : {&lately, &all}) {
+            if (counts.frames == 60) map->saw(3, 59);  // comes back
+            const bool isFirst = map == &all || counts.frames == 10;
+            refine(*map, *evidentialPolicy(), options, counts.frames - options.every, isFirst,
+                   counts);
+        }
+        EXPECT_EQ(lately.dismissed(), all.dismissed()) << counts.frames;
+    }
+    EXPECT_EQ(all.dismissed().size(), 30U);
 }

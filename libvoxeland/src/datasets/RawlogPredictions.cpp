@@ -157,6 +157,7 @@ AddedPredictions addPredictions(const std::string& input, const PredictionSource
     const RawlogFiles source = RawlogFiles::toRead(input);
     source.useImages();
     GzInputFile in(input);
+    if (options.embed) in.keepObjectBytes();
     StagedRawlog staged(output);
     std::error_code outputIsNew;
     const bool inPlace = fs::equivalent(source.rawlog, staged.target().rawlog, outputIsNew);

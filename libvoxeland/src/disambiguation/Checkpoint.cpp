@@ -6,29 +6,47 @@
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 
-#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/io/CStream.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include <cstring>
 #include <filesystem>
+#include <utility>
+#include <zlib.h>
 
 namespace voxeland
 {
 namespace
 {
-/** Whether two maps are the same but for decisions. */
-bool areAlike(SemanticVoxelMap a, SemanticVoxelMap b)
+/** Sums up what is written to it. */
+class DigestStream : public mrpt::io::CStream
 {
-    mrpt::io::CMemoryStream bytes[2];
-    SemanticVoxelMap* maps[2] = {&a, &b};
-    for (int i = 0; i < 2; ++i) {
-        undoDecisions(*maps[i], std::nullopt);
-        auto archive = mrpt::serialization::archiveFrom(bytes[i]);
-        maps[i]->writeTo(archive);
+ public:
+    [[nodiscard]] std::pair<uint64_t, uLong> digest() const { return {m_size, m_checksum}; }
+
+    size_t Write(const void* bytes, size_t n) override
+    {
+        m_checksum = crc32_z(m_checksum, static_cast<const Bytef*>(bytes), n);
+        m_size += n;
+        return n;
     }
-    const size_t n = bytes[0].getTotalBytesCount();
-    return n == bytes[1].getTotalBytesCount() &&
-           std::memcmp(bytes[0].getRawBufferData(), bytes[1].getRawBufferData(), n) == 0;
+    size_t Read(void*, size_t) override { return 0; }
+    uint64_t Seek(int64_t, TSeekOrigin) override { return m_size; }
+    [[nodiscard]] uint64_t getPosition() const override { return m_size; }
+    [[nodiscard]] uint64_t getTotalBytesCount() const override { return m_size; }
+
+ private:
+    uint64_t m_size = 0;
+    uLong m_checksum = crc32_z(0, nullptr, 0);
+};
+
+/** What maps have in common that are the same but for decisions. */
+std::pair<uint64_t, uLong> digestOf(SemanticVoxelMap map)
+{
+    undoDecisions(map, std::nullopt);
+    DigestStream stream;
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    map.writeTo(archive);
+    return stream.digest();
 }
 
 size_t decisionsOf(const SemanticVoxelMap& map)
@@ -49,7 +67,7 @@ size_t takeOverDecisions(CVoxelandMap& map, const std::string& output)
         return 0;
     }
     const size_t had = decisionsOf(map.map()), has = decisionsOf(earlier->map());
-    if (has <= had || !areAlike(map.map(), earlier->map())) return 0;
+    if (has <= had || digestOf(map.map()) != digestOf(earlier->map())) return 0;
     map.editMap() = earlier->map();
     return has - had;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/ExportAll.h"
 
+#include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/InstancesCsv.h"
 #include "voxeland/io/InstancesJson.h"
@@ -17,19 +18,24 @@ void checkExportFolder(const std::string& folder)
     checkWritable(folder + "/map.ply");
 }
 
-std::vector<std::string> exportAll(const SemanticVoxelMap& map, const std::string& folder)
+void exportAll(const SemanticVoxelMap& map, const std::string& folder, WrittenFiles& written)
 {
     makeOutputFolder(folder);
-    std::vector<std::string> files = {folder + "/map.ply", folder + "/instances.json",
-                                      folder + "/instances.csv"};
-    exportPly(map, files[0]);
     const LevelFrame frame(estimateUp(map));
-    exportJson(map, frame, files[1]);
-    exportCsv(map, frame, files[2]);
+    const auto write = [&](const char* name, const auto& exporter) {
+        const std::string file = folder + "/" + name;
+        exporter(file);
+        written.add(file);
+    };
     ViewOptions options;
     options.up = frame.axes()[2];
-    const auto views = exportViews(map, folder, options);
-    files.insert(files.end(), views.begin(), views.end());
-    return files;
+    try {
+        write("map.ply", [&](const std::string& file) { exportPly(map, file); });
+        write("instances.json", [&](const std::string& file) { exportJson(map, frame, file); });
+        write("instances.csv", [&](const std::string& file) { exportCsv(map, frame, file); });
+        exportViews(map, folder, written, options);
+    } catch (const OutputError& e) {
+        throw OutputError(e.what() + written.told());
+    }
 }
 }  // namespace voxeland

@@ -3,13 +3,13 @@
 
 #include "JsonValues.h"
 #include "LittleEndianStream.h"
+#include "MergedFaces.h"
 #include "VoxelFaces.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/io/Colors.h"
 
 #include <cmath>
-#include <unordered_set>
 
 namespace voxeland
 {
@@ -23,38 +23,18 @@ constexpr size_t CORNERS = 4, INDICES = 6;  //!< of a face, as two triangles
 
 using Corner = std::array<float, 3>;
 
-/** A face of a voxel, to be drawn. */
-struct Face
-{
-    VoxelCoord voxel;
-    size_t side = 0;  //!< in FACES
-};
-
-/** The faces of some voxels that no other one of them covers. */
-std::vector<Face> outerFaces(const std::vector<VoxelCoord>& voxels)
-{
-    std::unordered_set<uint64_t> there;
-    for (const VoxelCoord& v : voxels) there.insert(packed(v));
-    std::vector<Face> faces;
-    for (const VoxelCoord& v : voxels)
-        for (size_t side = 0; side < FACES.size(); ++side)
-            if (there.count(packed(v + FACES[side])) == 0) faces.push_back({v, side});
-    return faces;
-}
-
-/** Its corners [m], counter-clockwise as seen from outside. */
-std::array<Corner, CORNERS> cornersOf(const Face& face, double resolution)
+/** The corners of a face [m], counter-clockwise as seen from outside. */
+std::array<Corner, CORNERS> cornersOf(const FaceRectangle& face, double resolution)
 {
     const size_t axis = face.side / 2;
     const bool positive = face.side % 2 == 1;
     const size_t first = (axis + (positive ? 1 : 2)) % 3, second = (axis + (positive ? 2 : 1)) % 3;
-    const std::array<int32_t, 3> low = {face.voxel.x, face.voxel.y, face.voxel.z};
     std::array<Corner, CORNERS> corners{};
     for (size_t i = 0; i < CORNERS; ++i) {
-        std::array<int32_t, 3> at = low;
+        std::array<int32_t, 3> at = face.low;
         at[axis] += positive ? 1 : 0;
-        at[first] += i == 1 || i == 2 ? 1 : 0;
-        at[second] += i >= 2 ? 1 : 0;
+        at[first] += i == 1 || i == 2 ? face.size[first] : 0;
+        at[second] += i >= 2 ? face.size[second] : 0;
         for (size_t a = 0; a < 3; ++a) corners[i][a] = static_cast<float>(at[a] * resolution);
     }
     return corners;
@@ -66,8 +46,19 @@ struct Part
     std::string name;
     json_t extras;
     Color color;
-    std::vector<Face> faces;
+    std::vector<FaceRectangle> faces;
 };
+
+/** The faces of an instance's voxels that no other one of them covers. */
+std::vector<FaceRectangle> outerFaces(const SemanticVoxelMap& map, instance_id_t id,
+                                      const std::vector<VoxelCoord>& voxels)
+{
+    return mergedFaces(voxels, [&](const VoxelCoord& v) {
+        const VoxelEvidence* evidence = map.evidence(v);
+        return evidence != nullptr && OccupancyFilter::isOccupied(map.occupancy(v)) &&
+               map.winner(*evidence) == id;
+    });
+}
 
 std::vector<Part> partsOf(const SemanticVoxelMap& map)
 {
@@ -81,12 +72,12 @@ std::vector<Part> partsOf(const SemanticVoxelMap& map)
                           {"probability", s.probability()},
                           {"entropy", s.entropy}},
                          colors.at(s.id),
-                         outerFaces(voxels.at(s.id))});
+                         outerFaces(map, s.id, voxels.at(s.id))});
     if (const auto rest = voxels.find(UNKNOWN_INSTANCE); rest != voxels.end())
         parts.push_back({UNKNOWN_CATEGORY,
                          {{"id", UNKNOWN_INSTANCE}},
                          UNKNOWN_COLOR,
-                         outerFaces(rest->second)});
+                         outerFaces(map, rest->first, rest->second)});
     return parts;
 }
 
@@ -187,7 +178,7 @@ class Document
     [[nodiscard]] json_t extreme(const Part& part, bool greatest) const
     {
         Corner result = cornersOf(part.faces.front(), m_resolution)[0];
-        for (const Face& face : part.faces)
+        for (const FaceRectangle& face : part.faces)
             for (const Corner& corner : cornersOf(face, m_resolution))
                 for (size_t a = 0; a < 3; ++a)
                     result[a] =
@@ -202,10 +193,10 @@ class Document
 
 void writeBuffer(const Part& part, double resolution, LittleEndianStream& out)
 {
-    for (const Face& face : part.faces)
+    for (const FaceRectangle& face : part.faces)
         for (const Corner& corner : cornersOf(face, resolution))
             for (const float x : corner) out << x;
-    for (const Face& face : part.faces)
+    for (const FaceRectangle& face : part.faces)
         for (size_t i = 0; i < CORNERS; ++i) {
             const VoxelCoord& n = FACES[face.side];
             out << static_cast<float>(n.x) << static_cast<float>(n.y) << static_cast<float>(n.z);

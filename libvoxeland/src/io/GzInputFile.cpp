@@ -94,9 +94,21 @@ GzInputFile::~GzInputFile()
     gzclose(m_file);
 }
 
+/** \throws InputError if the file is cut off */
+bool GzInputFile::isAtEnd()
+{
+    const int next = gzgetc(m_file);
+    if (next >= 0) return gzungetc(next, m_file) < 0;
+    int state = Z_OK;
+    gzerror(m_file, &state);
+    if (state == Z_OK) return true;
+    throw InputError(m_name + ": the file is cut off or damaged" + COPY_IT);
+}
+
 mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
 {
     m_objectBytes.clear();
+    if (isAtEnd()) return nullptr;
     const std::string where = m_name + " after " + std::to_string(m_position) + " bytes";
     const uint64_t damagedBefore = voxeland::damagedPictures();
     try {
@@ -110,11 +122,6 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
                          ": an object takes more memory than this program may use: the file is "
                          "damaged, or memory is short: copy it again, or free memory");
     } catch (const std::exception& e) {
-        if (m_objectBytes.empty() && gzeof(m_file)) {
-            int state = Z_OK;
-            gzerror(m_file, &state);
-            if (state == Z_OK) return nullptr;
-        }
         if (gzeof(m_file)) throw InputError(where + ": the file is cut off or damaged" + COPY_IT);
         throw InputError(where + ": " + reason(e.what()));
     }
@@ -136,7 +143,8 @@ size_t GzInputFile::Read(void* data, size_t bytes)
         const auto n = static_cast<unsigned>(std::min(left, MOST_AT_ONCE));
         const int got = gzread(m_file, at, n);
         if (got < 0) throw InputError(m_name + ": the file is cut off or damaged" + COPY_IT);
-        m_objectBytes.append(at, static_cast<size_t>(got));
+        m_objectBytes.append(at,
+                             std::min(static_cast<size_t>(got), m_mostKept - m_objectBytes.size()));
         at += got;
         left -= static_cast<size_t>(got);
         if (static_cast<unsigned>(got) < n) break;

@@ -78,6 +78,17 @@ class PlyWriter
             for (const VoxelCoord& v : voxels) writeVertex(v, body);
         });
     }
+    void writeAll(const std::string& file, bool occupiedOnly)
+    {
+        size_t voxels = 0;
+        m_map.forEachVoxel([&](const auto&...) { ++voxels; }, occupiedOnly);
+        writeAtomically(file, [&](std::ostream& out) {
+            writeHeader(m_map, voxels, out);
+            LittleEndianStream body(out);
+            m_map.forEachVoxel([&](const VoxelCoord& v, const auto&...) { writeVertex(v, body); },
+                               occupiedOnly);
+        });
+    }
 
  private:
     void writeVertex(const VoxelCoord& v, LittleEndianStream& body)
@@ -122,28 +133,24 @@ std::string fileNameOf(instance_id_t id, const std::string& category)
 
 void exportPly(const SemanticVoxelMap& map, const std::string& file, bool occupiedOnly)
 {
-    std::vector<VoxelCoord> voxels;
-    map.forEachVoxel([&](const VoxelCoord& v, const auto&...) { voxels.push_back(v); },
-                     occupiedOnly);
-    PlyWriter(map).write(voxels, file);
+    PlyWriter(map).writeAll(file, occupiedOnly);
 }
 
-std::vector<std::string> exportPlyPerInstance(const SemanticVoxelMap& map,
-                                              const std::string& folder, bool occupiedOnly)
+void exportPlyPerInstance(const SemanticVoxelMap& map, const std::string& folder,
+                          WrittenFiles& written, bool occupiedOnly)
 {
     makeOutputFolder(folder);
     const auto categories = topCategories(map);
     PlyWriter writer(map);
-    std::vector<std::string> files;
     for (const auto& [id, voxels] : voxelsByWinner(map, occupiedOnly)) {
         const auto category = categories.find(id);
         const bool none = category == categories.end();
         const std::string name =
             none ? UNKNOWN_CATEGORY
                  : map.categories().name(static_cast<category_id_t>(category->second));
-        files.push_back(folder + "/" + fileNameOf(id, name));
-        writer.write(voxels, files.back());
+        const std::string file = folder + "/" + fileNameOf(id, name);
+        writer.write(voxels, file);
+        written.add(file);
     }
-    return files;
 }
 }  // namespace voxeland

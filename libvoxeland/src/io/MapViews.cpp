@@ -59,19 +59,18 @@ MapViews drawViews(const SemanticVoxelMap& map, const ViewOptions& options)
     return views;
 }
 
-std::vector<std::string> exportViews(const SemanticVoxelMap& map, const std::string& folder,
-                                     const ViewOptions& options)
+void exportViews(const SemanticVoxelMap& map, const std::string& folder, WrittenFiles& written,
+                 const ViewOptions& options)
 {
     const MapViews views = drawViews(map, options);
     makeOutputFolder(folder);
-    std::vector<std::string> files;
     for (const MapViews::Picture& picture : views.pictures) {
-        files.push_back(folder + "/" + picture.name + ".png");
-        writeAtomically(files.back(), [&](std::ostream& out) {
+        const std::string file = folder + "/" + picture.name + ".png";
+        writeAtomically(file, [&](std::ostream& out) {
             out.write(reinterpret_cast<const char*>(picture.png.data()),
                       static_cast<std::streamsize>(picture.png.size()));
         });
+        written.add(file);
     }
-    return files;
 }
 }  // namespace voxeland

@@ -6,12 +6,15 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <dirent.h>
 #include <fcntl.h>
 #include <filesystem>
+#include <memory>
 #include <random>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -47,17 +50,37 @@ bool isPartOf(const std::string& name, const std::string& target)
            fs::path(name).extension() == EXTENSION;
 }
 
+/** The names in a folder; none if it cannot be read. (The iterators of std::filesystem end the
+ * program when there is no memory.) */
+std::vector<std::string> namesIn(const std::string& folder)
+{
+    std::vector<std::string> names;
+    const std::shared_ptr<DIR> opened(opendir(folder.c_str()), [](DIR* d) {
+        if (d != nullptr) closedir(d);
+    });
+    if (!opened) return names;
+    while (const dirent* entry = readdir(opened.get())) names.emplace_back(entry->d_name);
+    return names;
+}
+
+/** Removes a part, file or folder. */
+void remove(const std::string& part)
+{
+    std::error_code ignored;
+    if (unlink(part.c_str()) != 0 && errno == EISDIR) fs::remove_all(part, ignored);
+}
+
 /** Removes what writers that were killed have left: parts that nobody holds the lock of. */
 void removeAbandonedParts(const std::string& target)
 {
     const std::string name = fs::path(target).filename().string();
-    std::error_code ignored;
-    for (fs::directory_iterator at(folderOf(target), ignored), end; at != end;
-         at.increment(ignored)) {
-        if (!isPartOf(at->path().filename().string(), name)) continue;
-        const int part = open(at->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    const std::string folder = folderOf(target);
+    for (const std::string& found : namesIn(folder)) {
+        if (!isPartOf(found, name)) continue;
+        const std::string path = folder + "/" + found;
+        const int part = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
         if (part < 0) continue;
-        if (flock(part, LOCK_EX | LOCK_NB) == 0) fs::remove_all(at->path(), ignored);
+        if (flock(part, LOCK_EX | LOCK_NB) == 0) remove(path);
         close(part);
     }
 }
@@ -76,8 +99,7 @@ OutputPart::OutputPart(const std::string& target, Kind kind) : m_kind(kind)
 
 OutputPart::~OutputPart()
 {
-    std::error_code ignored;
-    if (!m_path.empty()) fs::remove_all(m_path, ignored);
+    if (!m_path.empty()) remove(m_path);
     close(m_lock);
 }
 

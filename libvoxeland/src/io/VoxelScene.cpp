@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelScene.h"
 
+#include "voxeland/grid/CoordHash.h"
+
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace voxeland
 {
@@ -90,13 +91,15 @@ void VoxelScene::keepIf(F&& keep)
 
 void VoxelScene::findExposedFaces()
 {
-    std::unordered_map<uint64_t, bool> isObject;
+    CoordHash index;
+    index.reserve(m_voxels.size());
     for (size_t i = 0; i < m_voxels.size(); ++i)
-        isObject[packed(m_coords[i])] = m_voxels[i].isObject();
+        index.insert(m_coords[i], static_cast<uint32_t>(i));
     for (size_t i = 0; i < m_voxels.size(); ++i)
         for (size_t f = 0; f < FACES.size(); ++f) {
-            const auto at = isObject.find(packed(m_coords[i] + FACES[f]));
-            const bool covered = at != isObject.end() && at->second == m_voxels[i].isObject();
+            const uint32_t beyond = index.find(m_coords[i] + FACES[f]);
+            const bool covered =
+                beyond != CoordHash::NONE && m_voxels[beyond].isObject() == m_voxels[i].isObject();
             if (!covered) m_voxels[i].exposedFaces |= static_cast<uint8_t>(1U << f);
         }
     m_coords.clear();

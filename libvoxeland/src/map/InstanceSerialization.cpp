@@ -61,16 +61,24 @@ InstanceEvent readEvent(CArchive& in)
     return e;
 }
 
-void write(CArchive& out, const Decision& d)
-{
-    out << d.category << d.evidence << d.source << d.model << d.answer << d.time << d.seconds
-        << d.promptTokens << d.answerTokens << d.cost << d.questions;
-}
-
 void checkCategory(category_id_t category, const CategoryTable& categories)
 {
     if (category >= categories.size())
         throw std::runtime_error("corrupt map: evidence for a category it lacks");
+}
+
+template <typename Items>
+void writeAll(CArchive& out, const Items& items)
+{
+    out << static_cast<uint32_t>(items.size());
+    for (const auto& item : items) write(out, item);
+}
+}  // namespace
+
+void write(CArchive& out, const Decision& d)
+{
+    out << d.category << d.evidence << d.source << d.model << d.answer << d.time << d.seconds
+        << d.promptTokens << d.answerTokens << d.cost << d.questions;
 }
 
 Decision readDecision(CArchive& in, const CategoryTable& categories)
@@ -85,14 +93,6 @@ Decision readDecision(CArchive& in, const CategoryTable& categories)
     in >> d.time >> d.seconds >> d.promptTokens >> d.answerTokens >> d.cost >> d.questions;
     return d;
 }
-
-template <typename Items>
-void writeAll(CArchive& out, const Items& items)
-{
-    out << static_cast<uint32_t>(items.size());
-    for (const auto& item : items) write(out, item);
-}
-}  // namespace
 
 void write(CArchive& out, const VoxelCoord& c)
 {

@@ -25,6 +25,10 @@ Number readEvidence(mrpt::serialization::CArchive& in)
     return evidence;
 }
 
+void write(mrpt::serialization::CArchive& out, const Decision& d);
+/** \param categories those of the map */
+Decision readDecision(mrpt::serialization::CArchive& in, const CategoryTable& categories);
+
 /** All of an instance but its number of voxels, which follows from those. */
 void write(mrpt::serialization::CArchive& out, const Instance& i);
 /** \param categories those of the map */

@@ -100,7 +100,7 @@ void SemanticVoxelMap::writeTo(CArchive& out) const
     out << VERSION;
     write(out, m_options);
     out << m_origin.x << m_origin.y << m_origin.z;
-    out << m_categories.names() << m_nextInstance << m_absorbed << m_dismissed;
+    out << m_categories.names() << m_nextInstance << m_absorbed << dismissed();
     out << static_cast<uint32_t>(m_instances.size());
     for (const auto& [id, instance] : m_instances) write(out, instance);
     out << static_cast<uint32_t>(m_blocks.size());
@@ -116,7 +116,8 @@ void SemanticVoxelMap::readFrom(CArchive& in)
     SemanticVoxelMap read(readOptions(in, version));
     if (version > 2) read.m_origin = readOrigin(in);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) read.m_categories.add(readText(in));
-    in >> read.m_nextInstance >> read.m_absorbed >> read.m_dismissed;
+    std::set<instance_id_t> dismissed;
+    in >> read.m_nextInstance >> read.m_absorbed >> dismissed;
     checkMerges(read.m_absorbed, read.m_nextInstance);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         Instance i = readInstance(in, read.m_categories, read.m_options.views_kept);
@@ -125,9 +126,13 @@ void SemanticVoxelMap::readFrom(CArchive& in)
             !read.m_instances.emplace(id, std::move(i)).second)
             throw std::runtime_error("corrupt map: an instance numbered " + std::to_string(id));
     }
-    for (const instance_id_t id : read.m_dismissed)
+    for (const instance_id_t id : dismissed) {
         if (read.m_instances.count(id) == 0)
             throw std::runtime_error("corrupt map: an instance dismissed that it lacks");
+        read.m_dismissed.insert(id);
+    }
+    for (const auto& [id, instance] : read.m_instances)
+        read.m_byLastFrame.emplace(instance.lastFrame, id);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         const VoxelCoord coord = readBlockCoord(in);
         MapBlock& block = read.m_blocks.at(coord);

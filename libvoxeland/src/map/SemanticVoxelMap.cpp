@@ -154,7 +154,26 @@ Instance& SemanticVoxelMap::createInstance()
         throw InputError("the map has no numbers left for instances: begin a new one");
     Instance& i = m_instances[m_nextInstance];
     i.id = m_nextInstance++;
+    m_byLastFrame.emplace(i.lastFrame, i.id);
     return i;
+}
+
+void SemanticVoxelMap::saw(instance_id_t id, uint32_t frame)
+{
+    Instance& i = m_instances.at(id);
+    if (frame == i.lastFrame) return;
+    m_byLastFrame.erase({i.lastFrame, id});
+    i.lastFrame = frame;
+    m_byLastFrame.emplace(frame, id);
+}
+
+std::vector<instance_id_t> SemanticVoxelMap::seenSince(uint32_t frame) const
+{
+    std::vector<instance_id_t> ids;
+    for (auto at = m_byLastFrame.lower_bound({frame, 0}); at != m_byLastFrame.end(); ++at)
+        ids.push_back(at->second);
+    std::sort(ids.begin(), ids.end());
+    return ids;
 }
 
 void SemanticVoxelMap::moveEvidence(MapBlock& block, const VoxelCoord& blockCoord, int cell,
@@ -179,7 +198,7 @@ void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed, uin
     to.categories.add(from.categories);
     to.observations += from.observations;
     to.firstFrame = std::min(to.firstFrame, from.firstFrame);
-    to.lastFrame = std::max(to.lastFrame, from.lastFrame);
+    saw(survivor, std::max(to.lastFrame, from.lastFrame));
     to.tracks.insert(from.tracks.begin(), from.tracks.end());
     to.views.add(from.views, m_options.views_kept);
     to.decisions.insert(to.decisions.end(), from.decisions.begin(), from.decisions.end());
@@ -187,6 +206,7 @@ void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed, uin
     std::stable_sort(to.history.begin(), to.history.end(),
                      [](const auto& a, const auto& b) { return a.frame < b.frame; });
     remember(to.history, {InstanceEvent::Kind::merged, frame, survivor, absorbed});
+    m_byLastFrame.erase({from.lastFrame, absorbed});
     m_instances.erase(absorbed);
     m_dismissed.erase(absorbed);
     m_absorbed[absorbed] = survivor;
@@ -206,7 +226,7 @@ Instance& SemanticVoxelMap::split(instance_id_t from, const std::vector<VoxelCoo
     part.observations = shareOf(whole.observations, categoryShare);
     whole.observations -= part.observations;
     part.firstFrame = whole.firstFrame;
-    part.lastFrame = whole.lastFrame;
+    saw(part.id, whole.lastFrame);
     part.decisions = scaled(whole.decisions, categoryShare);
     whole.decisions = scaled(whole.decisions, 1 - categoryShare);
     const auto ofPart = centersOf(part), ofWhole = centersOf(whole);

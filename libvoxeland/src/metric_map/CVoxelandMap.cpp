@@ -62,6 +62,12 @@ void CVoxelandMap::setConfig(const MapperConfig& config)
     m_assembler.setLimits(config.input.prediction_wait, config.input.max_pose_gap);
 }
 
+SemanticVoxelMap& CVoxelandMap::editMap()
+{
+    if (m_mapper) m_mapper->mapWasEdited();
+    return m_map.edit();
+}
+
 const SemanticMapper& CVoxelandMap::mapper()
 {
     if (m_mapper) return *m_mapper;

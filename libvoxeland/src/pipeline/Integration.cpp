@@ -144,7 +144,7 @@ void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
                                 static_cast<double>(opinion.confidence));
         const bool isNew = instance.observations == 0 && instance.history.empty();
         if (isNew) instance.firstFrame = frameNumber;
-        instance.lastFrame = frameNumber;
+        map.saw(instance.id, frameNumber);
         ++instance.observations;
         map.readmit(instance.id);
         if (opinion.track != InstancePrediction::NO_TRACK) instance.tracks.insert(opinion.track);

@@ -30,14 +30,6 @@ std::vector<WeightedCell> wonVoxels(const SemanticVoxelMap& map, instance_id_t i
     return won;
 }
 
-std::vector<instance_id_t> instancesSeenSince(const SemanticVoxelMap& map, uint32_t frame)
-{
-    std::vector<instance_id_t> ids;
-    for (const auto& [id, instance] : map.instances())
-        if (instance.lastFrame >= frame) ids.push_back(id);
-    return ids;
-}
-
 /** The voxels of each cluster, the largest cluster first. */
 std::vector<std::vector<VoxelCoord>> partsOf(const std::vector<WeightedCell>& voxels, int radius)
 {
@@ -158,10 +150,13 @@ MergeDecision decide(const SemanticVoxelMap& map, const InstanceOverlap& overlap
     return MergeDecision::merged;
 }
 
-/** Shows as *unknown* what has too little evidence and was not seen again. Never forgets it. */
-void dismissDoubtful(SemanticVoxelMap& map, const RefinementOptions& options, uint32_t frame)
+/** Shows as *unknown* what has too little evidence and was not seen again. Never forgets it.
+ *  \param sinceFrame instances that were not seen since keep their state */
+void dismissDoubtful(SemanticVoxelMap& map, const RefinementOptions& options, uint32_t frame,
+                     uint32_t sinceFrame)
 {
-    for (const auto& [id, instance] : map.instances()) {
+    for (const instance_id_t id : map.seenSince(sinceFrame)) {
+        const Instance& instance = map.instance(id);
         const bool doubtful = instance.categories.total() < options.min_evidence;
         if (doubtful && frame > instance.lastFrame + options.patience)
             map.dismiss(id);
@@ -172,16 +167,16 @@ void dismissDoubtful(SemanticVoxelMap& map, const RefinementOptions& options, ui
 }  // namespace
 
 void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
-            const RefinementOptions& options, uint32_t sinceFrame, MappingCounts& counts,
-            MappingTrace* trace)
+            const RefinementOptions& options, uint32_t sinceFrame, bool isFirst,
+            MappingCounts& counts, MappingTrace* trace)
 {
     const uint32_t frame = counts.frames > 0 ? counts.frames - 1 : 0;  // the last one mapped
     if (options.split)
-        for (const instance_id_t id : instancesSeenSince(map, sinceFrame))
+        for (const instance_id_t id : map.seenSince(sinceFrame))
             counts.splits += divide(map, id, options, frame, trace);
 
     std::set<instance_id_t> merged;
-    for (const InstanceOverlap& overlap : overlapsOf(map, instancesSeenSince(map, sinceFrame))) {
+    for (const InstanceOverlap& overlap : overlapsOf(map, map.seenSince(sinceFrame))) {
         const MergeDecision decision = decide(map, overlap, merged, policy, options);
         if (trace != nullptr) trace->pair(overlap, decision, options.continuity);
         if (decision != MergeDecision::merged) continue;
@@ -190,6 +185,9 @@ void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
         merged.insert({overlap.a, overlap.b});
         ++counts.merges;
     }
-    dismissDoubtful(map, options, counts.frames);
+    // Those seen before were not waited for any longer at the last refinement either.
+    const uint32_t waitedFor =
+        isFirst || sinceFrame < options.patience ? 0 : sinceFrame - options.patience;
+    dismissDoubtful(map, options, counts.frames, waitedFor);
 }
 }  // namespace voxeland

@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace voxeland
 {
@@ -143,7 +144,9 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
     const uint32_t every = m_config.refinement.every;
     if (every > 0 && counts.frames % every == 0) {
         const StageTimer timer(frame.times, Stage::refinement);
-        refine(map, *m_config.association, m_config.refinement, counts.frames - every, counts,
+        const uint32_t sinceFrame = counts.frames - every;
+        const bool isFirst = std::exchange(m_refinedAt, counts.frames) != sinceFrame;
+        refine(map, *m_config.association, m_config.refinement, sinceFrame, isFirst, counts,
                m_trace.get());
     }
     return frame.times;

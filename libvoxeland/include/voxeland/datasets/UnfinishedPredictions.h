@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/datasets/RawlogPredictions.h"
+#include "voxeland/io/RecordJournal.h"
 
-#include <cstdint>
-#include <fstream>
 #include <string>
 
 namespace voxeland
@@ -16,10 +15,10 @@ class UnfinishedPredictions
     /** Opens the file, or begins a new one where there is none of that origin.
      *  \param origin which network looks at which rawlog: only what has the same one is used
      *  \throws OutputError if it cannot be written */
-    UnfinishedPredictions(std::string file, const std::string& origin);
+    UnfinishedPredictions(const std::string& file, const std::string& origin);
 
     /** Frames that were looked at before. */
-    [[nodiscard]] size_t frames() const { return m_frames; }
+    [[nodiscard]] size_t frames() const { return m_journal.kept(); }
 
     /** The predictions for a frame: those kept, or what `source` says, which is kept. Frames must
      * be asked for in order, from 0. \throws OutputError if they cannot be kept */
@@ -27,15 +26,12 @@ class UnfinishedPredictions
                                   const PredictionSource& source);
 
     /** Removes the file: everything is done. */
-    void discard();
+    void discard() { m_journal.discard(); }
 
  private:
     CObservationInstances::Ptr nextKept();
     void keep(const CObservationInstances* predictions);
 
-    std::string m_file;
-    size_t m_frames = 0;
-    std::ifstream m_kept;
-    std::ofstream m_new;
+    RecordJournal m_journal;  //!< a record of each frame: an MRPT object, or nothing
 };
 }  // namespace voxeland

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/io/WrittenFiles.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <string>
-#include <vector>
 
 namespace voxeland
 {
 /** Writes map.ply, instances.json, instances.csv and the pictures of exportViews() into a folder.
  *  \param folder made if missing
- *  \return the files written \throws OutputError if one of them cannot be */
-std::vector<std::string> exportAll(const SemanticVoxelMap& map, const std::string& folder);
+ *  \param written those completed are added to it
+ *  \throws OutputError if one of them cannot be written, with the names of those written */
+void exportAll(const SemanticVoxelMap& map, const std::string& folder, WrittenFiles& written);
 
 /** Makes the folder of exportAll(), and makes sure that files can be written into it.
  *  \throws OutputError if not */

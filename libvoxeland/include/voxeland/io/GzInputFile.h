@@ -4,6 +4,7 @@
 #include <mrpt/serialization/CSerializable.h>
 
 #include <atomic>
+#include <limits>
 #include <string>
 
 struct gzFile_s;
@@ -25,6 +26,8 @@ class GzInputFile : public mrpt::io::CStream
      *  50 times the size of the file.
      *  \throws InputError if the file is cut off, damaged, or holds an object of unknown class */
     mrpt::serialization::CSerializable::Ptr readObject();
+    /** Keeps all of objectBytes() from now on, and not only how they begin. */
+    void keepObjectBytes() { m_mostKept = std::numeric_limits<size_t>::max(); }
     /** The object last read as it is in the file (uncompressed). */
     [[nodiscard]] const std::string& objectBytes() const { return m_objectBytes; }
 
@@ -49,10 +52,12 @@ class GzInputFile : public mrpt::io::CStream
     /** @} */
 
  private:
+    bool isAtEnd();
     void updateProgress();
 
     std::string m_name;
     std::string m_objectBytes;
+    size_t m_mostKept = 256;  //!< of the object's bytes: its class and version
     gzFile_s* m_file = nullptr;
     uint64_t m_position = 0, m_fileSize = 0, m_damagedPictures = 0;
     std::atomic<double> m_progress{0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/io/WrittenFiles.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <string>
@@ -26,7 +27,8 @@ void exportPly(const SemanticVoxelMap& map, const std::string& file, bool occupi
 /** Writes the voxels that each instance wins as a PLY file of its own, named `ID_CATEGORY.ply`,
  *  and those of *unknown* as `0_unknown.ply`.
  *  \param folder made if missing
- *  \return the files written \throws OutputError if one of them cannot be */
-std::vector<std::string> exportPlyPerInstance(const SemanticVoxelMap& map,
-                                              const std::string& folder, bool occupiedOnly = true);
+ *  \param written those completed are added to it
+ *  \throws OutputError if one of them cannot be written */
+void exportPlyPerInstance(const SemanticVoxelMap& map, const std::string& folder,
+                          WrittenFiles& written, bool occupiedOnly = true);
 }  // namespace voxeland

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/io/WrittenFiles.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <mrpt/math/TPoint3D.h>
@@ -48,8 +49,9 @@ MapViews drawViews(const SemanticVoxelMap& map, const ViewOptions& options = Vie
 
 /** Writes the pictures of drawViews() as `NAME.png`.
  *  \param folder made if missing
- *  \return the files written \throws OutputError if one of them cannot be
+ *  \param written those completed are added to it
+ *  \throws OutputError if one of them cannot be written
  *  \throws ConfigurationError for options out of range */
-std::vector<std::string> exportViews(const SemanticVoxelMap& map, const std::string& folder,
-                                     const ViewOptions& options = ViewOptions());
+void exportViews(const SemanticVoxelMap& map, const std::string& folder, WrittenFiles& written,
+                 const ViewOptions& options = ViewOptions());
 }  // namespace voxeland

@@ -21,10 +21,11 @@ struct Instance
     uint32_t voxels = 0;          //!< number of voxels that are part of it (MapOptions::membership)
     uint32_t observations = 0;    //!< number of opinions integrated
     uint32_t firstFrame = 0;      //!< number of the frame that first saw it, from 0
-    uint32_t lastFrame = 0;       //!< number of the frame that last saw it
-    std::set<int64_t> tracks;     //!< the detector's track ids, where it gives any
-    std::set<VoxelCoord> blocks;  //!< blocks where it has, or once had, evidence
-    InstanceViews views;          //!< where it was seen best
+    uint32_t lastFrame =
+        0;  //!< number of the frame that last saw it; set by SemanticVoxelMap::saw()
+    std::set<int64_t> tracks;            //!< the detector's track ids, where it gives any
+    std::set<VoxelCoord> blocks;         //!< blocks where it has, or once had, evidence
+    InstanceViews views;                 //!< where it was seen best
     std::vector<InstanceEvent> history;  //!< its last merges and splits, in order of time
     std::vector<Decision> decisions;     //!< what was decided about it offline, in order of time
 

@@ -8,6 +8,8 @@
 
 #include <map>
 #include <set>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace mrpt::serialization
@@ -140,12 +142,20 @@ class SemanticVoxelMap
      * which it happens \return the new instance */
     Instance& split(instance_id_t from, const std::vector<VoxelCoord>& voxels, double categoryShare,
                     uint32_t frame);
+    /** Notes that a frame, or one after it, saw an instance last. */
+    void saw(instance_id_t id, uint32_t frame);
+    /** Instances whose last frame is this one or a later one, ordered by id. Cost: those, however
+     * many others there are. */
+    [[nodiscard]] std::vector<instance_id_t> seenSince(uint32_t frame) const;
     /** Keeps an instance's record, but shows it as *unknown*: too little speaks for it. */
     void dismiss(instance_id_t id);
     /** Takes dismiss() back. */
     void readmit(instance_id_t id) { m_dismissed.erase(id); }
     [[nodiscard]] bool isDismissed(instance_id_t id) const { return m_dismissed.count(id) != 0; }
-    [[nodiscard]] const std::set<instance_id_t>& dismissed() const { return m_dismissed; }
+    [[nodiscard]] std::set<instance_id_t> dismissed() const
+    {
+        return {m_dismissed.begin(), m_dismissed.end()};
+    }
     /** The instance that most evidence of a voxel speaks for, dismissed ones aside;
      *  UNKNOWN_INSTANCE where none does. */
     [[nodiscard]] instance_id_t winner(const VoxelEvidence& evidence) const
@@ -200,7 +210,8 @@ class SemanticVoxelMap
     BlockMap<MapBlock> m_blocks;
     std::map<instance_id_t, Instance> m_instances;
     std::map<instance_id_t, instance_id_t> m_absorbed;  //!< id -> instance that took its evidence
-    std::set<instance_id_t> m_dismissed;
+    std::unordered_set<instance_id_t> m_dismissed;
+    std::set<std::pair<uint32_t, instance_id_t>> m_byLastFrame;  //!< all live instances
     instance_id_t m_nextInstance = 1;
     CategoryTable m_categories;
 };

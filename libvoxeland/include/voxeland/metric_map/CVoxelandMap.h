@@ -57,7 +57,7 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** For those who change what is known of instances or categories. The reference must not be
      * kept until after this is copied (copies share the map), nor until after points, likelihoods
      * or matches were asked for (they would not follow). */
-    [[nodiscard]] SemanticVoxelMap& editMap() { return m_map.edit(); }
+    [[nodiscard]] SemanticVoxelMap& editMap();
     [[nodiscard]] const MappingCounts& counts() const { return m_counts; }
     /** INI text that reproduces the map's configuration; empty: all defaults. */
     [[nodiscard]] const std::string& configText() const { return m_configText; }

@@ -6,6 +6,7 @@
 #include "voxeland/pipeline/PreparedFrame.h"
 
 #include <memory>
+#include <optional>
 
 namespace voxeland
 {
@@ -35,10 +36,13 @@ class SemanticMapper
     /** Adds a prepared frame to a map. Frames must come in order.
      *  \return the frame's stage times, those of prepare() included */
     StageTimes integrate(PreparedFrame frame, SemanticVoxelMap& map, MappingCounts& counts);
+    /** Says that somebody else has changed the map: the next refinement looks at all of it. */
+    void mapWasEdited() { m_refinedAt.reset(); }
 
  private:
     MapperConfig m_config;
     OverlapFinder m_overlaps;
     std::shared_ptr<MappingTrace> m_trace;
+    std::optional<uint32_t> m_refinedAt;  //!< frames that had been mapped then
 };
 }  // namespace voxeland

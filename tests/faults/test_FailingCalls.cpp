@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Mapping, saving, exporting and asking, in which any call may fail: each run ends with success or
+ * a sentence, and leaves the old output or the new one. */
+#include "Attempts.h"
+#include "support/RunProgram.h"
+#include "support/SmallRawlog.h"
+#include "support/TestFiles.h"
+#include "voxeland/disambiguation/AnswerJournal.h"
+#include "voxeland/disambiguation/Revision.h"
+#include "voxeland/io/GlbFile.h"
+#include "voxeland/io/InstancesJson.h"
+#include "voxeland/io/MapPly.h"
+#include "voxeland/io/MapScene.h"
+#include "voxeland/io/OctoMapFile.h"
+#include "voxeland/io/UpDirection.h"
+#include "voxeland/metric_map/MapFile.h"
+#include "voxeland/metric_map/RawlogMapping.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <map>
+
+using namespace voxeland;
+using namespace voxeland::test;
+namespace fs = std::filesystem;
+
+namespace
+{
+/** All files below a folder, with their content. */
+using Content = std::map<std::string, std::string>;
+
+Content contentOf(const fs::path& folder)
+{
+    Content content;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file())
+            content[fs::relative(entry.path(), folder)] = readFile(entry.path());
+    return content;
+}
+
+/** A folder of outputs, and what each may be after a run that some call failed in. */
+class Outputs
+{
+ public:
+    Outputs() { fs::create_directory(path()); }
+
+    [[nodiscard]] std::string path() const { return m_folder.file("out"); }
+    [[nodiscard]] std::string file(const std::string& name) const { return path() + "/" + name; }
+
+    void rememberOld() { m_old = contentOf(path()); }
+    void rememberNew() { m_new = contentOf(path()); }
+    void reset() const
+    {
+        fs::remove_all(path());
+        for (const auto& [name, content] : m_old) {
+            fs::create_directories(fs::path(file(name)).parent_path());
+            writeFile(file(name), content);
+        }
+    }
+    /** \param killed parts of the run may be left */
+    void check(bool complete, bool killed) const
+    {
+        for (const auto& [name, content] : contentOf(path())) {
+            const fs::path extension = fs::path(name).extension();
+            if (killed && extension == ".part") continue;
+            if (!complete && extension == ".answers") continue;
+            const auto before = m_old.find(name), after = m_new.find(name);
+            EXPECT_TRUE((before != m_old.end() && before->second == content) ||
+                        (after != m_new.end() && after->second == content))
+                << name << " of " << content.size() << " bytes is neither old nor new";
+        }
+        if (complete) {
+            EXPECT_EQ(contentOf(path()), m_new);
+        }
+    }
+
+ private:
+    const TemporaryFolder m_folder;
+    Content m_old, m_new;
+};
+
+/** A rawlog, its map, and another map in whose place that goes. */
+class FailingCalls : public testing::Test
+{
+ protected:
+    void SetUp() override
+    {
+        writeRawlog(m_rawlog, smallFrames(4));
+        mapTo(m_map, "");
+        mapTo(m_outputs.file("a.voxeland"), "0.1");
+        m_outputs.rememberOld();
+    }
+
+    void mapTo(const std::string& file, const std::string& resolution) const
+    {
+        Ini ini = Ini::fromText("", "test");
+        ini.set("voxeland.threads=2", "test");
+        ini.set("refinement.every=2", "test");
+        if (!resolution.empty()) ini.set("map.resolution=" + resolution, "test");
+        CVoxelandMap map{MapperConfig(ini)};
+        RawlogFrameSource source(m_rawlog, map.mapper().config().input, {});
+        mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+        saveMap(map, file);
+    }
+
+    /** One sentence, as a person reads it. */
+    static void expectSentence(const std::string& message)
+    {
+        EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
+        EXPECT_LT(message.size(), 300U) << message;
+        for (const char* jargon :
+             {"std::", "bad_alloc", "terminate", ".cpp", "OpenCV", "exception"})
+            EXPECT_EQ(message.find(jargon), std::string::npos) << message;
+    }
+
+    /** \param most attempts */
+    void check(const std::function<void()>& work, Calls kind, int error, unsigned times,
+               unsigned most)
+    {
+        m_outputs.reset();
+        attemptAll(kind, error, times, most, work, [&](const Attempt& end) {
+            SCOPED_TRACE("call " + std::to_string(end.call) + " of kind " +
+                         std::to_string(static_cast<int>(kind)) + " " + end.message);
+            const bool killed = end.signal != 0;
+            EXPECT_TRUE(error == KILL ? !killed || end.signal == SIGKILL : !killed) << end.signal;
+            EXPECT_LE(end.exitCode, 5);
+            if (end.exitCode > 0) expectSentence(end.message);
+            m_outputs.check(end.exitCode == 0, killed);
+            m_outputs.reset();
+        });
+    }
+
+    /** \param most attempts of each way to fail */
+    void checkAll(const std::function<void()>& work, unsigned most = 40)
+    {
+        work();
+        m_outputs.rememberNew();
+        check(work, Calls::change, KILL, ONCE, most);
+        check(work, Calls::write, ENOSPC, FOR_GOOD, most / 2);
+        for (const Calls kind : {Calls::open, Calls::read, Calls::sync, Calls::name})
+            check(work, kind, EIO, ONCE, most / 2);
+        check(work, Calls::memory, ENOMEM, ONCE, 2 * most);
+    }
+
+    const TemporaryFolder m_folder;
+    Outputs m_outputs;
+    const std::string m_rawlog = m_folder.file("in.rawlog"), m_map = m_folder.file("in.voxeland");
+};
+}  // namespace
+
+TEST_F(FailingCalls, Mapping)
+{
+    checkAll([this] { mapTo(m_outputs.file("a.voxeland"), ""); });
+}
+
+TEST_F(FailingCalls, LoadingAndSaving)
+{
+    checkAll([this] { saveMap(*loadMap(m_map), m_outputs.file("a.voxeland")); });
+}
+
+TEST_F(FailingCalls, Exporting)
+{
+    checkAll(
+        [this] {
+            const auto loaded = loadMap(m_map);
+            const SemanticVoxelMap& map = loaded->map();
+            const LevelFrame frame(estimateUp(map));
+            exportPly(map, m_outputs.file("a.ply"));
+            exportJson(map, frame, m_outputs.file("a.json"));
+            exportGlb(map, frame, m_outputs.file("a.glb"));
+            exportScene(map, frame, m_outputs.file("a.3Dscene"));
+            exportOctoMap(map, m_outputs.file("a.bt"));
+        },
+        10);
+}
+
+/** An answer about each object, kept until the map is written. */
+TEST_F(FailingCalls, Asking)
+{
+    const std::string output = m_outputs.file("a.voxeland");
+    const auto ask = [&] {
+        const auto map = loadMap(m_map);
+        const Revision revision(map->map(), "Backend");
+        AnswerJournal journal(output, m_map, "Backend");
+        const auto decide = [&](instance_id_t id, const Decision& d) {
+            revision.decide(map->editMap(), id, d, DisambiguationOptions());
+        };
+        journal.replay(map->map(), decide);
+        for (const auto& [id, instance] : map->map().instances()) {
+            Decision decision;
+            decision.source = "Backend";
+            decision.answer = "none of them";
+            decide(id, decision);
+            journal.add(id, map->map().instance(id).decisions.back());
+        }
+        saveMap(*map, output);
+        journal.discard();
+    };
+    checkAll(ask);
+    attemptAll(Calls::change, KILL, ONCE, 40, ask, [&](const Attempt&) {
+        ask();
+        m_outputs.check(true, false);
+    });
+}
