@@ -66,15 +66,14 @@ class Outputs
         for (const auto& [name, content] : contentOf(path())) {
             const fs::path extension = fs::path(name).extension();
             if (killed && extension == ".part") continue;
-            if (!complete && extension == ".answers") continue;
+            if (extension == ".answers") continue;
             const auto before = m_old.find(name), after = m_new.find(name);
             EXPECT_TRUE((before != m_old.end() && before->second == content) ||
                         (after != m_new.end() && after->second == content))
                 << name << " of " << content.size() << " bytes is neither old nor new";
         }
-        if (complete) {
-            EXPECT_EQ(contentOf(path()), m_new);
-        }
+        for (const auto& [name, content] : m_new)
+            EXPECT_TRUE(!complete || readFile(file(name)) == content) << name << " is not new";
     }
 
  private:
@@ -97,7 +96,7 @@ class FailingCalls : public testing::Test
     void mapTo(const std::string& file, const std::string& resolution) const
     {
         Ini ini = Ini::fromText("", "test");
-        ini.set("voxeland.threads=2", "test");
+        ini.set("voxeland.threads=1", "test");
         ini.set("refinement.every=2", "test");
         if (!resolution.empty()) ini.set("map.resolution=" + resolution, "test");
         CVoxelandMap map{MapperConfig(ini)};

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/OutputPart.h"
 
+#include "voxeland/files/FolderNames.h"
 #include "voxeland/io/writeFailure.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <dirent.h>
 #include <fcntl.h>
 #include <filesystem>
-#include <memory>
 #include <random>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -48,19 +46,6 @@ bool isPartOf(const std::string& name, const std::string& target)
     const size_t length = target.size() + 1 + RANDOM_CHARACTERS + std::strlen(EXTENSION);
     return name.size() == length && name.compare(0, target.size() + 1, target + ".") == 0 &&
            fs::path(name).extension() == EXTENSION;
-}
-
-/** The names in a folder; none if it cannot be read. (The iterators of std::filesystem end the
- * program when there is no memory.) */
-std::vector<std::string> namesIn(const std::string& folder)
-{
-    std::vector<std::string> names;
-    const std::shared_ptr<DIR> opened(opendir(folder.c_str()), [](DIR* d) {
-        if (d != nullptr) closedir(d);
-    });
-    if (!opened) return names;
-    while (const dirent* entry = readdir(opened.get())) names.emplace_back(entry->d_name);
-    return names;
 }
 
 /** Removes a part, file or folder. */
@@ -106,16 +91,20 @@ OutputPart::~OutputPart()
 /** \return false, with errno, if that is not possible: EEXIST if it may be under another name */
 bool OutputPart::create(const std::string& path)
 {
-    if (m_kind == Kind::folder && mkdir(path.c_str(), 0777) != 0) return false;
+    m_path = path;
+    if (m_kind == Kind::folder && mkdir(path.c_str(), 0777) != 0) {
+        m_path.clear();
+        return false;
+    }
     const int flags = m_kind == Kind::folder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT | O_EXCL;
     m_lock = open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (m_lock < 0) {
         const int error = errno;
         if (m_kind == Kind::folder) rmdir(path.c_str());
+        m_path.clear();
         errno = error;
         return false;
     }
-    m_path = path;
     if (flock(m_lock, LOCK_EX | LOCK_NB) == 0 && isNamed(m_lock, path)) return true;
     // Another writer took it for abandoned before it was locked, and removes it.
     close(m_lock);

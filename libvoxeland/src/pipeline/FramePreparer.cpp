@@ -11,10 +11,21 @@ FramePreparer::FramePreparer(const SemanticMapper& mapper, Source source, unsign
     if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
     if (threads == 1) return;
     m_capacity = 2 * threads;
-    for (unsigned i = 0; i < threads; ++i) m_workers.emplace_back([this] { work(); });
+    m_workers.reserve(threads);
+    try {
+        for (unsigned i = 0; i < threads; ++i) m_workers.emplace_back([this] { work(); });
+    } catch (...) {
+        stop();
+        throw;
+    }
 }
 
 FramePreparer::~FramePreparer()
+{
+    stop();
+}
+
+void FramePreparer::stop()
 {
     {
         const std::lock_guard<std::mutex> lock(m_mutex);

@@ -3,6 +3,7 @@
 
 #include "Trial.h"
 #include "voxeland/errors.h"
+#include "voxeland/files/FolderNames.h"
 #include "voxeland/joined.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 #include "voxeland/plugins/CDisambiguator.h"
@@ -157,13 +158,14 @@ std::string problemOfLoading(const fs::path& file)
  * NAME.classes, so that no library is loaded just to be asked. */
 void loadShipped(const std::string& className)
 {
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(shippedFolder(), ignored)) {
-        if (entry.path().extension() != ".classes") continue;
-        std::ifstream list(entry.path());
+    const fs::path folder = shippedFolder();
+    for (const std::string& name : namesIn(folder.string())) {
+        const fs::path file = folder / name;
+        if (file.extension() != ".classes") continue;
+        std::ifstream list(file);
         for (std::string line; std::getline(list, line);)
             if (isCalled(line, className))
-                loadPlugin(fs::path(entry.path()).replace_extension(".so").string(), {});
+                loadPlugin(fs::path(file).replace_extension(".so").string(), {});
     }
 }
 
@@ -173,12 +175,10 @@ std::vector<std::string> loadAll(const std::vector<std::string>& folders)
     std::set<fs::path> seen;
     std::vector<std::string> refused;
     for (const std::string& folder : folders) {
-        std::error_code ignored;
-        for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-            if (entry.path().extension() != ".so" || !seen.insert(entry.path().filename()).second)
-                continue;
-            if (!problemOfLoading(fs::absolute(entry.path())).empty())
-                refused.push_back(entry.path().string());
+        for (const std::string& name : namesIn(folder)) {
+            const fs::path file = fs::path(folder) / name;
+            if (file.extension() != ".so" || !seen.insert(name).second) continue;
+            if (!problemOfLoading(fs::absolute(file)).empty()) refused.push_back(file.string());
         }
     }
     return refused;

@@ -40,6 +40,7 @@ class FramePreparer
         std::exception_ptr error;
     };
 
+    void stop();
     void work();
 
     const SemanticMapper& m_mapper;
