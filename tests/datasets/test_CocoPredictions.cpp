@@ -301,12 +301,40 @@ TEST_F(CocoPredictionsTest, cocosEightyAreNoticedWhereNothingElseIsPossible)
     EXPECT_EQ(names({0, 56, 79}), (Names{"person", "chair", "toothbrush"}));
     EXPECT_EQ(names({57, 68, 80}), (Names{"chair", "cell phone", "toothbrush"}));
     EXPECT_EQ(names({62, 90}), (Names{"chair", "toothbrush"}));
-    EXPECT_THROW(names({56, 68}), InputError) << "from 0 or from 1?";
+    EXPECT_THROW(names({13, 12}), InputError) << "streets, from 0 or from 1?";
     EXPECT_THROW(names({0, 90}), InputError);
     EXPECT_THROW(names({62, 91}), InputError);
     const json seen = {prediction({{"category_id", 56}, {"category_name", "chair"}}),
                        prediction({{"category_id", 41}})};
     EXPECT_EQ(instancesOf(load(seen), 3)[1].categories[0].name, "cup") << "41 of 80, from 0";
+}
+
+/** Chair, cup, dining table and tv in COCO's three numberings: read in any other one, some of them
+ * are food, sports or skateboards, which are not found in rooms. */
+TEST_F(CocoPredictionsTest, ofSeveralNumberingsTheOneOfThingsInRoomsIsMeantAndItIsSaid)
+{
+    using Ids = std::vector<int>;
+    for (const Ids& ids : {Ids{62, 47, 67, 72}, Ids{56, 41, 60, 62}, Ids{57, 42, 61, 63}})
+        for (const json& image : {json(1), json("frame-000001")}) {
+            json list;
+            for (const int id : ids)
+                list.push_back(prediction({{"image_id", image}, {"category_id", id}}));
+            const auto predictions = load(list);
+            MatchedPredictions matched(predictions,
+                                       {{0, "frame-000000.png"}, {1, "frame-000001.png"}});
+            const auto instances = matched.instancesFor(1, 2, 2);
+            ASSERT_TRUE(instances);
+            std::vector<std::string> names;
+            for (const auto& i : instances->instances) names.push_back(i.categories[0].name);
+            // Counted from 0 these are couch, fork, toilet and laptop: of rooms as well.
+            if (ids[0] != 57)
+                EXPECT_EQ(names, (std::vector<std::string>{"chair", "cup", "dining table", "tv"}))
+                    << ids[0] << " " << image;
+            std::string said;
+            for (const std::string& sentence : matched.notes()) said += sentence;
+            for (const std::string& sentence : matched.warnings()) said += sentence;
+            EXPECT_NE(said.find("--categories"), std::string::npos) << said;
+        }
 }
 
 TEST_F(CocoPredictionsTest, ultralyticsCountsItsCategoriesOnAfterAnother)
@@ -331,15 +359,15 @@ TEST_F(CocoPredictionsTest, ultralyticsCountsItsCategoriesOnAfterAnother)
     EXPECT_EQ(reading("kitchen", {56, 0}).doubt, "");
     EXPECT_NE(reading("kitchen", {56, 0}).note.find("--categories"), std::string::npos);
     EXPECT_EQ(reading("kitchen", {56, 41}).name, "chair");
-    EXPECT_NE(reading("kitchen", {56, 41}).doubt.find("--categories"), std::string::npos);
+    EXPECT_NE(reading("kitchen", {56, 41}).note.find("--categories"), std::string::npos);
+    EXPECT_NE(reading("kitchen", {57, 42}).doubt.find("counted from 1"), std::string::npos);
     EXPECT_EQ(reading("kitchen", {57, 80}).name, "chair");
     EXPECT_EQ(reading("kitchen", {62, 90}).name, "chair");
     for (const json& image : {json(7), json("7"), json("rgb/kitchen.png"), json("kitchen.jpg")}) {
         EXPECT_EQ(reading(image, {62, 90}).doubt, "") << image;
         EXPECT_EQ(reading(image, {62, 47}).name, "chair") << image;
-        EXPECT_NE(reading(image, {62, 47}).doubt.find("COCO's 80 names counted from 0"),
-                  std::string::npos)
-            << image;
+        const Reading usual = reading(image, {62, 47});
+        EXPECT_NE((usual.note + usual.doubt).find("--categories"), std::string::npos) << image;
     }
 }
 

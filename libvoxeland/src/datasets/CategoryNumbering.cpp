@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace voxeland
@@ -60,6 +62,28 @@ std::vector<Table> cocoTables(bool eightyFirst)
                                  {cocoNamesFrom(1), "COCO's 80 names counted from 1"}};
     if (eightyFirst) std::rotate(tables.begin(), tables.begin() + 1, tables.end());
     return tables;
+}
+
+/** COCO's names of what is found in rooms: people, and its groups kitchen, furniture, electronic,
+ *  appliance and indoor, by their places among the 80. */
+std::set<std::string> namesOfRooms()
+{
+    std::set<std::string> names;
+    for (const auto& [place, name] : cocoNamesFrom(0))
+        if (place == 0 || (place >= 39 && place <= 45) || place >= 56) names.insert(name);
+    return names;
+}
+
+/** Predictions that a table says are of things found in rooms, which is where depth is measured. */
+size_t usesInRooms(const CategoryNames& table, const std::map<int64_t, size_t>& uses)
+{
+    static const std::set<std::string> rooms = namesOfRooms();
+    size_t sum = 0;
+    for (const auto& [number, count] : uses) {
+        const auto named = table.find(number);
+        if (named != table.end() && rooms.count(named->second) > 0) sum += count;
+    }
+    return sum;
 }
 
 /** The numbers that a table does not have. */
@@ -121,8 +145,9 @@ void CategoryNumbering::checkGiven(const CategoryNames& given, const CategoryNum
                                       : withoutName(nameless, numbers)));
 }
 
-/** Those of the table that leaves the fewest predictions without a name. Where an odd number speaks
- *  for 80 categories but does not say from where they count, COCO's 90 are meant. */
+/** Those of the table that leaves the fewest predictions without a name, and of several such the
+ * one by which most predictions are of things found in rooms. Where an odd number speaks for 80
+ *  categories but nothing says from where they count, COCO's 90 are meant. */
 void CategoryNumbering::addCocos(const CategoryNames& own, const CategoryNumbers& numbers)
 {
     const auto nameless = usesOutside(m_names, numbers.uses);
@@ -131,13 +156,21 @@ void CategoryNumbering::addCocos(const CategoryNames& own, const CategoryNumbers
         if (agree(table.names, own)) tables.push_back(std::move(table));
     if (tables.empty()) return;
     const auto unnamed = [&](const Table& t) { return total(usesOutside(t.names, nameless)); };
-    const auto fewer = [&](const Table& a, const Table& b) { return unnamed(a) < unnamed(b); };
-    auto chosen = std::min_element(tables.begin(), tables.end(), fewer);
+    const auto inRooms = [&](const Table& t) { return usesInRooms(t.names, nameless); };
+    auto chosen =
+        std::min_element(tables.begin(), tables.end(), [&](const Table& a, const Table& b) {
+            return std::pair(unnamed(a), inRooms(b)) < std::pair(unnamed(b), inRooms(a));
+        });
     const auto isAsGood = [&](const Table& t) {
         return &t != &*chosen && unnamed(t) <= unnamed(*chosen);
     };
-    const bool isTied = std::any_of(tables.begin(), tables.end(), isAsGood);
-    if (isTied && !numbers.ofNamedImages && chosen != tables.begin()) {
+    const bool isTied = std::any_of(tables.begin(), tables.end(), [&](const Table& t) {
+        return isAsGood(t) && inRooms(t) == inRooms(*chosen);
+    });
+    const Table& ninety = tables.front();
+    const bool areNinety =
+        inRooms(ninety) == inRooms(*chosen) || unnamed(ninety) > unnamed(*chosen);
+    if (isTied && !numbers.ofNamedImages && chosen != tables.begin() && areNinety) {
         chosen = tables.begin();
         if (!isTolerable(unnamed(*chosen), numbers.predictions))
             throw InputError(
@@ -151,10 +184,10 @@ void CategoryNumbering::addCocos(const CategoryNames& own, const CategoryNumbers
         if (isAsGood(table)) others += (others.empty() ? "" : " or ") + table.meaning;
     m_names.insert(chosen->names.begin(), chosen->names.end());
     const std::string reading = "category_ids are read as " + chosen->meaning;
-    if (others.empty())
-        m_note =
-            reading +
-            (numbers.ofNamedImages ? ", as Ultralytics counts: --categories names others" : "");
+    const bool areUsual = chosen == tables.begin() && !isTied;
+    if (others.empty() || areUsual)
+        m_note = reading +
+                 (numbers.ofNamedImages || !others.empty() ? ": --categories names others" : "");
     else
         m_doubt = reading + ", but may as well be " + others +
                   ": --categories with a file of lines 'number,name' tells";
