@@ -99,7 +99,7 @@ std::string complaint(const std::function<void()>& action)
 TEST_F(Trust, AMapDoesNotNameALibrary)
 {
     setenv("VOXELAND_PLUGIN_PATH", MODULES.c_str(), 1);
-    for (const std::string library : {MODULES + "/marking_plugin.so", std::string("marking_plugin"),
+    for (const std::string& library : {MODULES + "/marking_plugin.so", std::string("marking_plugin"),
                                       fs::relative(MODULES).string() + "/marking_plugin.so"})
     {
         const std::string own = "plugin = " + library + "\nclass = CTestAssociation\n";

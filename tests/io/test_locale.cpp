@@ -39,7 +39,8 @@ void writeAll(const fs::path& folder)
     const SemanticVoxelMap map = someMap();
     const LevelFrame frame(estimateUp(map));
     const auto file = [&](const char* name) { return (folder / name).string(); };
-    exportAll(map, folder.string());
+    WrittenFiles written;
+    exportAll(map, folder.string(), written);
     exportGlb(map, frame, file("map.glb"));
     exportScene(map, frame, file("map.3Dscene"));
     exportOctoMap(map, file("map.bt"));
