@@ -82,7 +82,7 @@ TEST_F(VoxelandSimulate, RefusesWrongUsageInOneSentence)
     expectRefused(test::runProgram("voxeland-simulate", {"-o", out, "--rooms", "4"}), 1,
                   "1, 2 or 3");
     expectRefused(test::runProgram("voxeland-simulate", {"-o", out, "--frames", "0"}), 1, "frames");
-    expectRefused(test::runProgram("voxeland-simulate", {}), 1, "required");
+    expectRefused(test::runProgram("voxeland-simulate", {}), 1, "give -o <FILE>");
 }
 
 TEST_F(VoxelandSimulate, SaysWhereItCannotWrite)

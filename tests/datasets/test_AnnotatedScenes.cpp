@@ -171,7 +171,7 @@ TEST_F(AnnotatedScenes, SceneNNsFilesMustBeWhatTheyAre)
     expectFailure("scenenn", "no NNN.ply");
     writeSceneNN();
     write("011.xml", "<annotation><label id=\"1\"");
-    expectFailure("scenenn", "as XML");
+    expectFailure("scenenn", "valid XML");
     write("011.xml", "<annotation><label id=\"x\" nyu_class=\"bed\"/></annotation>");
     expectFailure("scenenn", "without a number 'id'");
     write("011.xml", "<annotation><label id=\"5\" text=\"bed\"/></annotation>");

@@ -108,6 +108,21 @@ TEST_F(CalibrationCheckTest, FindsAWrongDepthScale)
     EXPECT_EQ(check(mended).verdict, Verdict::consistent);
 }
 
+TEST_F(CalibrationCheckTest, FindsPosesInMillimetres)
+{
+    write(40);
+    for (int i = 0; i < 40; ++i) {
+        auto pose = Room::cameraToWorld(i);
+        for (const size_t translation : {3U, 7U, 11U}) pose[translation] *= 1000;
+        test::writeFile(m_folder.file("frame-" + std::to_string(100000 + i)) + ".pose.txt",
+                        test::matrixText(pose));
+    }
+    const auto finding = check();
+    EXPECT_EQ(finding.verdict, Verdict::contradiction);
+    expectSays(finding, "1000 times as far apart");
+    EXPECT_EQ(finding.sentence.find("--depth-scale"), std::string::npos) << finding.sentence;
+}
+
 TEST_F(CalibrationCheckTest, FindsBothAtOnce)
 {
     write(40, true, 5000);

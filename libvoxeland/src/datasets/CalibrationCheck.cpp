@@ -180,7 +180,13 @@ std::string remedy(const CalibrationReading& reading, const CalibrationReading& 
              << (reading.invertPoses ? " and add --invert-poses, or leave it out" : "");
     else if (reading.invertPoses)
         text << "the poses are the wrong way round: add --invert-poses, or leave it out";
-    if (scaled)
+    // Whole numbers of ten centimetres or more make no depth image.
+    constexpr double LEAST_DEPTH_SCALE = 10;
+    if (scaled && reading.depthScale < LEAST_DEPTH_SCALE)
+        text << (reading.invertPoses ? "; and " : "") << "the poses' places are "
+             << given.depthScale / reading.depthScale
+             << " times as far apart as depths say: write them in metres";
+    else if (scaled)
         text << (reading.invertPoses ? "; and " : "") << "the depth scale is " << reading.depthScale
              << ", not " << given.depthScale << ": use --depth-scale " << reading.depthScale;
     return text.str();
