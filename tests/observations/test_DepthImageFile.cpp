@@ -86,6 +86,7 @@ TEST_F(DepthImageFile, FlippedBitsAndOtherFilesAreRefused)
     expectRefusal("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\n", "a pointer");
     expectRefusal(std::string(5000, '\0'), "zeros");
     expectRefusal(compressed(std::string("\xff\xff\xff\x7f\xff\xff\xff\x7f", 8)), "sizes alone");
+    expectRefusal(compressed(std::string("\0\0\1\0\0\1\0\0", 8)), "32 million pixels of nothing");
     expectRefusal(compressed(std::string("\x02\0\0\0\x02\0\0\0ababababX", 17)),
                   "more than it says");
     fs::remove(m_file);

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 #include <zlib.h>
 
 using mrpt::obs::CObservation3DRangeScan;
@@ -21,7 +20,10 @@ namespace
 class GzBytes
 {
  public:
-    explicit GzBytes(const std::string& file) : m_in(gzopen(file.c_str(), "rb"), gzclose) {}
+    explicit GzBytes(const std::string& file) : m_in(gzopen(file.c_str(), "rb"), gzclose)
+    {
+        if (m_in) gzbuffer(m_in.get(), 1 << 17);
+    }
 
     /** \return false if it ends before that, or is damaged */
     bool read(void* to, size_t bytes)
@@ -45,20 +47,16 @@ class GzBytes
 
 bool readInto(CObservation3DRangeScan& scan, const std::string& file)
 {
-    constexpr uint32_t LONGEST_SIDE = 1 << 15;
+    constexpr uint64_t MOST_PIXELS = 1 << 25;
     GzBytes in(file);
     uint32_t size[2] = {0, 0};
     if (!in.read(size, sizeof(size))) return false;
     const auto [rows, columns] = size;
-    if (rows > LONGEST_SIDE || columns > LONGEST_SIDE) return false;
-    scan.rangeImage.setSize(0, 0);
-    std::vector<uint16_t> row(columns);
-    for (uint32_t r = 0; r < rows; ++r) {
-        if (!in.read(row.data(), row.size() * sizeof(row[0]))) return false;
-        // No sooner than there are numbers for it: the sizes may be anybody's.
-        if (r == 0) scan.rangeImage.setSize(static_cast<int>(rows), static_cast<int>(columns));
-        std::copy(row.begin(), row.end(), &scan.rangeImage(static_cast<int>(r), 0));
-    }
+    if (rows > MOST_PIXELS || columns > MOST_PIXELS || uint64_t{rows} * columns > MOST_PIXELS)
+        return false;
+    scan.rangeImage.setSize(static_cast<int>(rows), static_cast<int>(columns));
+    const auto pixels = static_cast<size_t>(scan.rangeImage.size());
+    if (pixels > 0 && !in.read(scan.rangeImage.data(), pixels * sizeof(uint16_t))) return false;
     return in.endsWell();
 }
 }  // namespace
