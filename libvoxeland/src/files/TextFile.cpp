@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace voxeland
 {
@@ -18,13 +19,16 @@ bool beginsWith(const std::string& text, const std::string& start)
     return text.compare(0, start.size(), start) == 0;
 }
 
-/** Lines ended by CR alone, as of now. */
-void endLinesByLf(std::string& text)
+}  // namespace
+
+std::string plainText(std::string text)
 {
+    const std::string MARK = "\xEF\xBB\xBF";
+    if (beginsWith(text, MARK)) text.erase(0, MARK.size());
     for (size_t i = 0; i < text.size(); ++i)
         if (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) text[i] = '\n';
+    return text;
 }
-}  // namespace
 
 std::string readTextFile(const std::string& file, const std::string& purpose)
 {
@@ -32,14 +36,11 @@ std::string readTextFile(const std::string& file, const std::string& purpose)
     std::ifstream in(file, std::ios::binary);
     if (!in)
         throw InputError("cannot read the " + purpose + " " + file + ": " + std::strerror(errno));
-    const std::string UTF8_MARK = "\xEF\xBB\xBF";
     std::string text{std::istreambuf_iterator<char>(in), {}};
     if (beginsWith(text, "\xFF\xFE") || beginsWith(text, "\xFE\xFF"))
         throw InputError("the " + purpose + " " + file + " is UTF-16 text: save it as UTF-8");
     if (beginsWith(text, "PK\x03\x04") || beginsWith(text, "\xD0\xCF\x11\xE0"))
         throw InputError("the " + purpose + " " + file + " is a spreadsheet: save it as CSV");
-    if (beginsWith(text, UTF8_MARK)) text.erase(0, UTF8_MARK.size());
-    endLinesByLf(text);
-    return text;
+    return plainText(std::move(text));
 }
 }  // namespace voxeland

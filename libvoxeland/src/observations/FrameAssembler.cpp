@@ -115,13 +115,13 @@ std::pair<FrameAssembler::Moment, size_t> FrameAssembler::momentOfScan(
 std::shared_ptr<const CObservationInstances> FrameAssembler::withoutOdd(
     std::shared_ptr<const CObservationInstances> observation)
 {
-    std::vector<InstancePrediction> usable;
+    std::vector<const InstancePrediction*> usable;  // masks are copied only if some are left out
     size_t number = 0;
     for (const InstancePrediction& p : observation->instances) {
         ++number;
         const std::string oddity = oddityOf(p, *observation);
         if (oddity.empty())
-            usable.push_back(p);
+            usable.push_back(&p);
         else
             m_oddPredictions.add("prediction " + std::to_string(number) + " of the image of " +
                                  mrpt::system::dateTimeToString(observation->timestamp) + " " +
@@ -133,12 +133,14 @@ std::shared_ptr<const CObservationInstances> FrameAssembler::withoutOdd(
                              std::to_string(MOST_PREDICTIONS) +
                              " with the highest scores are used: raise the detector's threshold");
         std::stable_sort(usable.begin(), usable.end(),
-                         [](const auto& a, const auto& b) { return a.score > b.score; });
+                         [](const auto* a, const auto* b) { return a->score > b->score; });
         usable.resize(MOST_PREDICTIONS);
     }
     if (usable.size() == observation->instances.size()) return observation;
+    std::vector<InstancePrediction> kept;
+    for (const InstancePrediction* p : usable) kept.push_back(*p);
     auto changed = std::make_shared<CObservationInstances>(*observation);
-    changed->instances = std::move(usable);
+    changed->instances = std::move(kept);
     return changed;
 }
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <string_view>
 #include <utility>
 
 namespace voxeland
@@ -21,18 +20,12 @@ std::string firstLine(const std::string& text)
     return text.substr(0, text.find('\n'));
 }
 
-/** A text without the byte order mark before it, with '\n' at the end of each line. */
+/** plainText() with '\n' alone at the end of each line. */
 std::string plainLines(std::string text)
 {
-    constexpr std::string_view MARK = "\xEF\xBB\xBF";
-    if (text.compare(0, MARK.size(), MARK) == 0) text.erase(0, MARK.size());
-    std::string plain;
-    for (size_t i = 0; i < text.size(); ++i)
-        if (text[i] != '\r')
-            plain += text[i];
-        else if (i + 1 == text.size() || text[i + 1] != '\n')
-            plain += '\n';
-    return plain;
+    text = plainText(std::move(text));
+    text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
+    return text;
 }
 
 bool holdsControls(const std::string& text)
