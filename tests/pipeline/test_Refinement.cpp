@@ -2,6 +2,7 @@
 /** Division and merging of instances on maps made by hand. */
 #include "HandMadeMap.h"
 #include "support/MapBytes.h"
+#include "support/Rooms.h"
 #include "voxeland/pipeline/Refinement.h"
 
 #include <gtest/gtest.h>
@@ -343,4 +344,24 @@ TEST(Dismissal, LooksAtWhatWasSeenLatelyAloneAndGivesTheSame)
         EXPECT_EQ(lately.dismissed(), all.dismissed()) << counts.frames;
     }
     EXPECT_EQ(all.dismissed().size(), 30U);
+}
+
+TEST(RefinementOfManyRooms, LooksAtTheOneSeenLatelyAlone)
+{
+    constexpr int ROOMS = 200, PITCH = 6;
+    constexpr uint32_t FRAMES = 10, SINCE = (ROOMS - 1) * FRAMES;
+    SemanticVoxelMap room = overlappingBoxes("chair", "table");
+    const instance_id_t fellApart = addInstance(room, "sofa");
+    addBox(room, fellApart, {20, 0, 0}, {5, 5, 5});
+    addBox(room, fellApart, {32, 0, 0}, {4, 4, 4});
+
+    SemanticVoxelMap map = manyRooms(room, ROOMS, PITCH, FRAMES);
+    const CWitnessPolicy witness;
+    MappingCounts counts;
+    counts.frames = ROOMS * FRAMES;
+    refine(map, witness, handMadeRefinement(), SINCE, false, counts);
+    EXPECT_EQ(counts.splits, 1U) << "of 200 that fell apart";
+    ASSERT_EQ(witness.asked().size(), 1U) << "of 200 pairs";
+    EXPECT_EQ(witness.asked().front().a, 3 * (ROOMS - 1) + 1U);
+    EXPECT_EQ(map.instances().size(), 3U * ROOMS + 1);
 }

@@ -5,8 +5,8 @@ namespace voxeland::test
 {
 namespace
 {
-/** Adds a copy of a room, `shift` blocks along y. */
-void addRoom(const SemanticVoxelMap& room, int shift, SemanticVoxelMap& map)
+/** Adds a copy of a room, `shift` blocks along y, `later` frames later. */
+void addRoom(const SemanticVoxelMap& room, int shift, uint32_t later, SemanticVoxelMap& map)
 {
     std::map<instance_id_t, instance_id_t> ids = {{UNKNOWN_INSTANCE, UNKNOWN_INSTANCE}};
     for (const auto& [id, instance] : room.instances()) {
@@ -14,8 +14,8 @@ void addRoom(const SemanticVoxelMap& room, int shift, SemanticVoxelMap& map)
         ids[id] = copy.id;
         copy.categories = instance.categories;
         copy.observations = instance.observations;
-        copy.firstFrame = instance.firstFrame;
-        map.saw(copy.id, instance.lastFrame);
+        copy.firstFrame = instance.firstFrame + later;
+        map.saw(copy.id, instance.lastFrame + later);
     }
     const VoxelCoord by{0, shift, 0};
     for (const uint32_t b : room.blocks().sorted()) {
@@ -33,11 +33,12 @@ void addRoom(const SemanticVoxelMap& room, int shift, SemanticVoxelMap& map)
 }
 }  // namespace
 
-SemanticVoxelMap manyRooms(const SemanticVoxelMap& room, int copies, int pitch)
+SemanticVoxelMap manyRooms(const SemanticVoxelMap& room, int copies, int pitch, uint32_t frames)
 {
     SemanticVoxelMap map(room.options());
     for (const std::string& name : room.categories().names()) map.categories().add(name);
-    for (int i = 0; i < copies; ++i) addRoom(room, i * pitch, map);
+    for (int i = 0; i < copies; ++i)
+        addRoom(room, i * pitch, static_cast<uint32_t>(i) * frames, map);
     return map;
 }
 }  // namespace voxeland::test

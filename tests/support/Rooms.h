@@ -4,7 +4,8 @@
 
 namespace voxeland::test
 {
-/** A map of so many rooms: copies of one, side by side along y, `pitch` blocks apart. Instances of
- * the first copy keep their ids. */
-SemanticVoxelMap manyRooms(const SemanticVoxelMap& room, int copies, int pitch);
+/** A map of so many rooms, seen one after another: copies of one, side by side along y, `pitch`
+ * blocks apart, each seen in the `frames` after those of the one before. Instances of the first
+ * copy keep their ids. */
+SemanticVoxelMap manyRooms(const SemanticVoxelMap& room, int copies, int pitch, uint32_t frames);
 }  // namespace voxeland::test

@@ -54,6 +54,7 @@ double floorHeight(const SemanticVoxelMap& map, const LevelFrame& frame)
 {
     constexpr double BELOW_FLOOR = 0.01;
     std::vector<double> heights;
+    heights.reserve(map.memory().surfaceVoxels);
     map.forEachVoxel([&](const VoxelCoord& v, const auto&...) {
         heights.push_back(frame.toLevel(voxelCenter<TPoint3D>(v, map.resolution())).z);
     });

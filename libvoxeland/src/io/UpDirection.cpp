@@ -52,12 +52,14 @@ TVector3D facingOf(const SemanticVoxelMap& map, const VoxelCoord& v)
 /** Some of the occupied voxels, evenly chosen. */
 std::vector<Facet> sampleFacets(const SemanticVoxelMap& map)
 {
-    std::vector<VoxelCoord> voxels;
-    map.forEachVoxel([&](const VoxelCoord& v, const auto&...) { voxels.push_back(v); });
-    const size_t step = voxels.size() / ENOUGH + 1;
+    size_t voxels = 0;
+    map.forEachVoxel([&](const auto&...) { ++voxels; });
+    const size_t step = voxels / ENOUGH + 1;
     std::vector<Facet> facets;
-    for (size_t i = 0; i < voxels.size(); i += step)
-        facets.push_back({voxelCenter<TVector3D>(voxels[i], 1), facingOf(map, voxels[i])});
+    size_t i = 0;
+    map.forEachVoxel([&](const VoxelCoord& v, const auto&...) {
+        if (i++ % step == 0) facets.push_back({voxelCenter<TVector3D>(v, 1), facingOf(map, v)});
+    });
     return facets;
 }
 

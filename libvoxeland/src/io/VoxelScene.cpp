@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelScene.h"
 
-#include "voxeland/grid/CoordHash.h"
+#include <mrpt/math/TBoundingBox.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,87 +22,114 @@ float quantile(std::vector<float>& values, double share)
     return values[static_cast<size_t>(n)];
 }
 
+/** How much of what is around an instance tells what stands in it [m]. \param size of its box */
+float surroundingsOf(const cv::Vec3f& size)
+{
+    const double longest = static_cast<double>(std::max({size[0], size[1], size[2]}));
+    return static_cast<float>(std::clamp(0.3 * longest, 0.2, 0.6));
+}
+
 cv::Vec3f toCv(const mrpt::math::TPoint3D& p)
 {
     return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 }  // namespace
 
-VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame)
-    : m_resolution(map.resolution()),
+VoxelScene::VoxelScene(double resolution, const LevelFrame& frame)
+    : m_resolution(resolution),
       m_frame(frame),
       m_axes({toLevel({1, 0, 0}), toLevel({0, 1, 0}), toLevel({0, 0, 1})})
 {
-    collect(map);
-    if (m_voxels.empty()) return;
-    const float cut = cutHeight();
-    keepIf([cut](const SceneVoxel& v) { return v.isObject() || v.center[2] <= cut; });
-    findExposedFaces();
+}
+
+VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame)
+    : VoxelScene(map.resolution(), frame)
+{
+    const float cut = cutHeight(map);
+    const Shown shown = [&](const VoxelCoord& v,
+                            const VoxelEvidence& evidence) -> std::optional<instance_id_t> {
+        const instance_id_t winner = map.winner(evidence);
+        if (winner == UNKNOWN_INSTANCE && centerOf(v)[2] > cut) return std::nullopt;
+        return winner;
+    };
+    m_voxels.reserve(map.memory().surfaceVoxels);
+    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
+        add(map, v, evidence, shown);
+    });
     findBounds();
 }
 
-VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame, instance_id_t instance,
-                       double surroundings)
-    : m_resolution(map.resolution()),
-      m_frame(frame),
-      m_axes({toLevel({1, 0, 0}), toLevel({0, 1, 0}), toLevel({0, 0, 1})})
+VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame, instance_id_t instance)
+    : VoxelScene(map.resolution(), frame)
 {
-    collect(map);
-    keepIf([instance](const SceneVoxel& v) { return v.winner == instance; });
+    using Found = std::optional<instance_id_t>;
+    addBlocks(map, map.instance(instance).blocks, [&](const VoxelCoord&, const auto& evidence) {
+        return map.winner(evidence) == instance ? Found(instance) : std::nullopt;
+    });
     if (m_voxels.empty()) return;
     findBounds();
-    const auto reach = static_cast<float>(surroundings);
+    const auto reach = surroundingsOf(m_max - m_min);
     m_min -= cv::Vec3f::all(reach);
     m_max += cv::Vec3f::all(reach);
     m_voxels.clear();
-    m_coords.clear();
-    collect(map);
-    keepIf([this](const SceneVoxel& v) {
-        for (int a = 0; a < 3; ++a)
-            if (v.center[a] < m_min[a] || v.center[a] > m_max[a]) return false;
-        return true;
-    });
-    for (SceneVoxel& v : m_voxels)
-        if (v.winner != instance) v.winner = UNKNOWN_INSTANCE;
-    findExposedFaces();
-}
-
-void VoxelScene::collect(const SemanticVoxelMap& map)
-{
-    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
-        const cv::Vec3f center = toLevel(voxelCenter<mrpt::math::TPoint3D>(v, m_resolution));
-        m_voxels.push_back({center, &evidence, map.winner(evidence), 0});
-        m_coords.push_back(v);
+    addBlocks(map, blocksInBounds(), [&](const VoxelCoord& v, const auto& evidence) {
+        if (!isInBounds(centerOf(v))) return Found();
+        return Found(map.winner(evidence) == instance ? instance : UNKNOWN_INSTANCE);
     });
 }
 
-template <typename F>
-void VoxelScene::keepIf(F&& keep)
+void VoxelScene::add(const SemanticVoxelMap& map, const VoxelCoord& v,
+                     const VoxelEvidence& evidence, const Shown& shown)
 {
-    size_t kept = 0;
-    for (size_t i = 0; i < m_voxels.size(); ++i) {
-        if (!keep(m_voxels[i])) continue;
-        m_voxels[kept] = m_voxels[i];
-        m_coords[kept++] = m_coords[i];
+    const auto winner = shown(v, evidence);
+    if (!winner) return;
+    SceneVoxel voxel{centerOf(v), &evidence, *winner, 0};
+    for (size_t f = 0; f < FACES.size(); ++f) {
+        const VoxelCoord beyond = v + FACES[f];
+        const VoxelEvidence* other = map.evidence(beyond);
+        const auto cover = other != nullptr && OccupancyFilter::isOccupied(map.occupancy(beyond))
+                               ? shown(beyond, *other)
+                               : std::nullopt;
+        const bool covered = cover && (*cover != UNKNOWN_INSTANCE) == voxel.isObject();
+        if (!covered) voxel.exposedFaces |= static_cast<uint8_t>(1U << f);
     }
-    m_voxels.resize(kept);
-    m_coords.resize(kept);
+    m_voxels.push_back(voxel);
 }
 
-void VoxelScene::findExposedFaces()
+template <typename Coords>
+void VoxelScene::addBlocks(const SemanticVoxelMap& map, const Coords& blocks, const Shown& shown)
 {
-    CoordHash index;
-    index.reserve(m_voxels.size());
-    for (size_t i = 0; i < m_voxels.size(); ++i)
-        index.insert(m_coords[i], static_cast<uint32_t>(i));
-    for (size_t i = 0; i < m_voxels.size(); ++i)
-        for (size_t f = 0; f < FACES.size(); ++f) {
-            const uint32_t beyond = index.find(m_coords[i] + FACES[f]);
-            const bool covered =
-                beyond != CoordHash::NONE && m_voxels[beyond].isObject() == m_voxels[i].isObject();
-            if (!covered) m_voxels[i].exposedFaces |= static_cast<uint8_t>(1U << f);
-        }
-    m_coords.clear();
+    for (const VoxelCoord& b : blocks) {
+        const MapBlock* block = map.blocks().find(b);
+        if (block == nullptr) continue;
+        block->forEachSurface([&](int cell, const VoxelEvidence& evidence) {
+            if (OccupancyFilter::isOccupied(block->occupancy(cell)))
+                add(map, voxelAt(b, cell), evidence, shown);
+        });
+    }
+}
+
+std::vector<VoxelCoord> VoxelScene::blocksInBounds() const
+{
+    mrpt::math::TBoundingBox box = mrpt::math::TBoundingBox::PlusMinusInfinity();
+    for (const float x : {m_min[0], m_max[0]})
+        for (const float y : {m_min[1], m_max[1]})
+            for (const float z : {m_min[2], m_max[2]})
+                box.updateWithPoint(m_frame.toMap({x, y, z}));
+    const VoxelCoord first = blockOf(voxelOf(box.min, 1 / m_resolution)),
+                     last = blockOf(voxelOf(box.max, 1 / m_resolution));
+    std::vector<VoxelCoord> blocks;
+    for (int z = first.z; z <= last.z; ++z)
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x) blocks.push_back({x, y, z});
+    return blocks;
+}
+
+bool VoxelScene::isInBounds(const cv::Vec3f& point) const
+{
+    for (int a = 0; a < 3; ++a)
+        if (point[a] < m_min[a] || point[a] > m_max[a]) return false;
+    return true;
 }
 
 cv::Vec3f VoxelScene::toLevel(const mrpt::math::TPoint3D& inMap) const
@@ -110,13 +137,21 @@ cv::Vec3f VoxelScene::toLevel(const mrpt::math::TPoint3D& inMap) const
     return toCv(m_frame.toLevel(inMap));
 }
 
-float VoxelScene::cutHeight() const
+cv::Vec3f VoxelScene::centerOf(const VoxelCoord& v) const
+{
+    return toLevel(voxelCenter<mrpt::math::TPoint3D>(v, m_resolution));
+}
+
+float VoxelScene::cutHeight(const SemanticVoxelMap& map) const
 {
     std::vector<float> all, objects;
-    for (const SceneVoxel& v : m_voxels) {
-        all.push_back(v.center[2]);
-        if (v.isObject()) objects.push_back(v.center[2]);
-    }
+    all.reserve(map.memory().surfaceVoxels);
+    map.forEachVoxel([&](const VoxelCoord& v, log_odds_t, const VoxelEvidence& evidence) {
+        const float height = centerOf(v)[2];
+        all.push_back(height);
+        if (map.winner(evidence) != UNKNOWN_INSTANCE) objects.push_back(height);
+    });
+    if (all.empty()) return 0;
     const auto edge = static_cast<float>(m_resolution);
     if (!objects.empty()) return quantile(objects, OBJECTS_BELOW_CUT) + edge;
     const float low = quantile(all, STRAYS), high = quantile(all, 1 - STRAYS);
@@ -125,9 +160,11 @@ float VoxelScene::cutHeight() const
 
 void VoxelScene::findBounds()
 {
+    if (m_voxels.empty()) return;
     const auto half = static_cast<float>(m_resolution / 2);
     for (int a = 0; a < 3; ++a) {
         std::vector<float> values;
+        values.reserve(m_voxels.size());
         for (const SceneVoxel& v : m_voxels) values.push_back(v.center[a]);
         m_min[a] = quantile(values, STRAYS) - half;
         m_max[a] = quantile(values, 1 - STRAYS) + half;

@@ -6,6 +6,8 @@
 #include <opencv2/core.hpp>
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace voxeland
@@ -27,10 +29,9 @@ class VoxelScene
 {
  public:
     VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame);
-    /** One instance and what is around it: no other voxel counts as an object.
-     *  \param surroundings how far the scene reaches beyond the instance's box [m] */
-    VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame, instance_id_t instance,
-               double surroundings);
+    /** One instance and what is around it: no other voxel counts as an object. Empty if the
+     * instance has no voxels. Cost: the voxels in its box, whatever the size of the map. */
+    VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame, instance_id_t instance);
 
     [[nodiscard]] const std::vector<SceneVoxel>& voxels() const { return m_voxels; }
     [[nodiscard]] double resolution() const { return m_resolution; }
@@ -43,21 +44,29 @@ class VoxelScene
     [[nodiscard]] const cv::Vec3f& max() const { return m_max; }
 
  private:
+    /** As what an occupied voxel is shown, if it is. */
+    using Shown =
+        std::function<std::optional<instance_id_t>(const VoxelCoord&, const VoxelEvidence&)>;
+
+    /** Nothing, in a level frame. */
+    VoxelScene(double resolution, const LevelFrame& frame);
     /** Up to which height voxels of *unknown* are shown, see exportViews(). */
-    [[nodiscard]] float cutHeight() const;
-    /** All occupied voxels of a map; faces and bounds are still to be found. */
-    void collect(const SemanticVoxelMap& map);
-    /** Drops voxels for which keep(voxel) is false. */
-    template <typename F>
-    void keepIf(F&& keep);
-    void findExposedFaces();
+    [[nodiscard]] float cutHeight(const SemanticVoxelMap& map) const;
+    [[nodiscard]] cv::Vec3f centerOf(const VoxelCoord& v) const;
+    [[nodiscard]] bool isInBounds(const cv::Vec3f& point) const;
+    /** The blocks of the map around the bounds, in the order of a map's voxels. */
+    [[nodiscard]] std::vector<VoxelCoord> blocksInBounds() const;
+    void add(const SemanticVoxelMap& map, const VoxelCoord& v, const VoxelEvidence& evidence,
+             const Shown& shown);
+    /** \param blocks of which some may not be in the map */
+    template <typename Coords>
+    void addBlocks(const SemanticVoxelMap& map, const Coords& blocks, const Shown& shown);
     void findBounds();
 
     double m_resolution;
     LevelFrame m_frame;
     std::array<cv::Vec3f, 3> m_axes;
     std::vector<SceneVoxel> m_voxels;
-    std::vector<VoxelCoord> m_coords;  //!< of the voxels, while the scene is made
     cv::Vec3f m_min{0, 0, 0}, m_max{1, 1, 1};
 };
 }  // namespace voxeland
