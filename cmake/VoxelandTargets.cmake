@@ -18,9 +18,26 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
 endif()
 
+set(VOXELAND_SANITIZERS "" CACHE STRING "Sanitizers to build with, as for -fsanitize=")
+if(VOXELAND_SANITIZERS)
+  add_compile_options(-fsanitize=${VOXELAND_SANITIZERS} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${VOXELAND_SANITIZERS})
+  add_library(voxeland_sanitizers OBJECT "${CMAKE_CURRENT_LIST_DIR}/SanitizerSettings.cpp")
+endif()
+
 function(voxeland_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
     $<$<BOOL:${VOXELAND_WERROR}>:-Werror>)
+endfunction()
+
+# voxeland_executable(NAME source...): any program, be it for users or for tests.
+function(voxeland_executable name)
+  add_executable(${name} ${ARGN})
+  if(VOXELAND_SANITIZERS)
+    target_link_libraries(${name} PRIVATE voxeland_sanitizers)
+  endif()
+  voxeland_warnings(${name})
 endfunction()
 
 # voxeland_library(TARGET): a shared library and component. voxeland_NAME is in libvoxeland-NAME.so,
@@ -50,9 +67,8 @@ add_custom_target(programs)
 
 # voxeland_program(NAME source...): a command line program in build/bin, with a man page.
 function(voxeland_program name)
-  add_executable(${name} ${ARGN})
+  voxeland_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE voxeland_apps_common)
-  voxeland_warnings(${name})
   add_dependencies(programs ${name})
   set_property(GLOBAL APPEND PROPERTY VOXELAND_PROGRAMS ${name})
   install(TARGETS ${name} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT apps)
@@ -88,10 +104,9 @@ endfunction()
 
 # voxeland_test(NAME source...): a GoogleTest program; every TEST becomes one ctest.
 function(voxeland_test name)
-  add_executable(${name} ${ARGN})
+  voxeland_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE voxeland_test_support GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
-  voxeland_warnings(${name})
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)
 endfunction()

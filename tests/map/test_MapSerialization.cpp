@@ -232,6 +232,26 @@ TEST(MapSerialization, AbsorbedInstancesThatLeadInACircleAreRefused)
               "corrupt map: a merge with an instance it lacks");
 }
 
+TEST(MapSerialization, ATruthMayBeAnyByte)
+{
+    SemanticVoxelMap map;
+    map.categories().add("chair");
+    InstanceView view;
+    view.area = 0x12345678;
+    view.truncated = true;
+    view.score = view.probability = 1;
+    map.createInstance().views.add(0, view, 1);
+    const std::string bytes = bytesOf(map);
+    const size_t truth = bytes.find(bytesOf(view.area)) + sizeof(view.area);
+    for (const unsigned char byte : {1, 2, 0x80, 0xFF}) {
+        std::string odd = bytes;
+        odd.at(truth) = static_cast<char>(byte);
+        const SemanticVoxelMap read = mapFrom(odd);
+        EXPECT_EQ(bytesOf(read), bytes) << int{byte};
+        EXPECT_EQ(read.instance(1).views.of(0).at(0).quality(), view.quality()) << int{byte};
+    }
+}
+
 TEST(MapSerialization, TheLastIdIsNotPassed)
 {
     SemanticVoxelMap map;
