@@ -8,7 +8,7 @@
 
 namespace voxeland
 {
-inline namespace abi_1
+inline namespace VOXELAND_PLUGIN_ABI
 {
 /** What a policy decided about one opinion. */
 struct Assignment
@@ -40,5 +40,5 @@ class CAssociationPolicy : public Plugin
                                         const MergeThresholds& thresholds,
                                         const SemanticVoxelMap& map) const = 0;
 };
-}  // namespace abi_1
+}  // namespace VOXELAND_PLUGIN_ABI
 }  // namespace voxeland

@@ -37,7 +37,7 @@ struct DisambiguationAnswer
     double seconds = 0;                           //!< from question to answer
 };
 
-inline namespace abi_2
+inline namespace VOXELAND_PLUGIN_ABI
 {
 /** Base of the plugins that decide an uncertain instance's category (paper, "Uncertainty
  * Exploitation Through Semantic Disambiguation"). Chosen in section [disambiguation] of the INI. */
@@ -61,5 +61,5 @@ class CDisambiguator : public Plugin
      * into ..."; empty if nobody has to. Such questions are not put in other words. */
     [[nodiscard]] virtual std::string howToAnswer() const { return {}; }
 };
-}  // namespace abi_2
+}  // namespace VOXELAND_PLUGIN_ABI
 }  // namespace voxeland

@@ -15,7 +15,7 @@ class CObservation3DRangeScan;
 
 namespace voxeland
 {
-inline namespace abi_1
+inline namespace VOXELAND_PLUGIN_ABI
 {
 /** Base of the plugins that turn a frame into subjective opinions (paper, "Making Subjective
  * Opinions from 2D Semantic Instances"). Chosen in section [converter] of the INI. */
@@ -46,5 +46,5 @@ class COpinionConverter : public Plugin
     [[nodiscard]] virtual std::vector<Opinion> convert(const RgbdFrame& frame,
                                                        const VoxelizedFrame& voxels) const = 0;
 };
-}  // namespace abi_1
+}  // namespace VOXELAND_PLUGIN_ABI
 }  // namespace voxeland

@@ -2,6 +2,7 @@
 #pragma once
 #include "voxeland/mrpt_compat.h"
 #include "voxeland/plugins/OptionList.h"
+#include "voxeland/plugins/PluginAbi.h"
 
 #include <mrpt/rtti/CObject.h>
 
@@ -9,9 +10,7 @@
 
 namespace voxeland
 {
-/** Changes whenever the plugin bases do: a plugin built for others then fails to load, with a text
- * that says so, instead of crashing. */
-inline namespace abi_1
+inline namespace VOXELAND_PLUGIN_ABI
 {
 /** What all plugin classes have in common. A plugin is configured once and then used through const
  *  functions from several threads. Register concrete classes with
@@ -31,5 +30,5 @@ class Plugin : public mrpt::rtti::CObject
      *  \throws ConfigurationError or InputError, naming key and remedy */
     virtual void start() {}
 };
-}  // namespace abi_1
+}  // namespace VOXELAND_PLUGIN_ABI
 }  // namespace voxeland
