@@ -3,6 +3,7 @@
 
 #include "common/AsTyped.h"
 #include "common/Interruption.h"
+#include "voxeland/RefusedMemory.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/AtomicFile.h"
 #include "voxeland/joined.h"
@@ -11,12 +12,17 @@
 #include <mrpt/core/exceptions.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <list>
 #include <new>
 #include <set>
 #include <stdexcept>
+#include <unistd.h>
 
 using mrpt::system::VerbosityLevel;
 
@@ -137,6 +143,40 @@ int fail(const std::string& program, const std::string& text, int exitCode)
     say(program + ": " + text, LONGEST);
     return exitCode;
 }
+
+constexpr auto OUT_OF_MEMORY = "out of memory: use a coarser resolution or a smaller input";
+constexpr int UNREADABLE = 3;  // exit code
+
+/** In a function that must not throw, in our code or another library's, the lack of memory ends the
+ * program. Says so, without memory. */
+[[noreturn]] void endWithoutMemory()
+{
+    if (!RefusedMemory::isNoted()) std::abort();
+    const char* const PARTS[] = {program_invocation_short_name, ": ", OUT_OF_MEMORY, "\n"};
+    for (const char* text : PARTS)
+        static_cast<void>(!write(STDERR_FILENO, text, std::strlen(text)));
+    _exit(UNREADABLE);
+}
+
+int runWatched(const char* program, const std::function<int()>& body)
+{
+    try {
+        const int exitCode = body();
+        RefusedMemory::check();
+        if (!std::cout.flush())
+            throw OutputError("cannot write to standard output: free some space");
+        return exitCode;
+    } catch (const Interrupted& e) {
+        fail(program, e.what(), INTERRUPTED);
+        if (!e.command.empty()) std::cerr << e.command << "\n";
+        return INTERRUPTED;
+    } catch (...) {
+        // Whatever the lack of memory was taken for.
+        RefusedMemory::check();
+        throw;
+    }
+}
+
 /** A message without the place in MRPT's sources that begins its own: "file.cpp:57: [function] ".
  */
 std::string withoutPlace(const std::string& text)
@@ -257,15 +297,10 @@ void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std
 
 int runProgram(const char* program, const std::function<int()>& body)
 {
+    RefusedMemory::watch();
+    std::set_terminate(&endWithoutMemory);
     try {
-        const int exitCode = body();
-        if (!std::cout.flush())
-            throw OutputError("cannot write to standard output: free some space");
-        return exitCode;
-    } catch (const Interrupted& e) {
-        fail(program, e.what(), INTERRUPTED);
-        if (!e.command.empty()) std::cerr << e.command << "\n";
-        return INTERRUPTED;
+        return runWatched(program, body);
     } catch (const ConfigurationError& e) {
         return fail(program, sentence(e), 1);
     } catch (const PluginError& e) {
@@ -275,9 +310,9 @@ int runProgram(const char* program, const std::function<int()>& body)
     } catch (const OutputError& e) {
         return fail(program, sentence(e), 5);
     } catch (const std::bad_alloc&) {
-        return fail(program, "out of memory: use a coarser resolution or a smaller input", 3);
+        return fail(program, OUT_OF_MEMORY, UNREADABLE);
     } catch (const std::exception& e) {
-        return fail(program, sentence(e), 3);
+        return fail(program, sentence(e), UNREADABLE);
     }
 }
 }  // namespace voxeland::apps

@@ -152,10 +152,6 @@ extern "C" void* realloc(void* old, size_t size)
 {
     return fails(Calls::memory) ? nullptr : __libc_realloc(old, size);
 }
-extern "C" void* aligned_alloc(size_t alignment, size_t size)
-{
-    return fails(Calls::memory) ? nullptr : __libc_memalign(alignment, size);
-}
 extern "C" int posix_memalign(void** result, size_t alignment, size_t size)
 {
     *result = fails(Calls::memory) ? nullptr : __libc_memalign(alignment, size);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/RefusedMemory.h"
 #include "voxeland/counted.h"
 #include "voxeland/errors.h"
 
@@ -17,9 +18,11 @@ class LeftOut
     explicit LeftOut(bool strict = false) : m_strict(strict) {}
 
     /** \param sentence which entry of which file, and what is wrong with it
-     *  \throws InputError with that sentence if strict */
+     *  \throws InputError with that sentence if strict, std::bad_alloc if memory was refused: the
+     *  entry may be fine */
     void add(const std::string& sentence)
     {
+        RefusedMemory::check();
         if (m_strict) throw InputError(sentence);
         if (m_count++ == 0) m_first = sentence;
     }

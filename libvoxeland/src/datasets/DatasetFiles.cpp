@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetFiles.h"
 
+#include "voxeland/RefusedMemory.h"
 #include "voxeland/datasets/OpticalPose.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
 #include "voxeland/errors.h"
 #include "voxeland/numbers.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <fstream>
 
@@ -36,7 +38,9 @@ bool readNumber(std::istream& in, double& number)
 std::vector<double> readNumbers(const fs::path& file)
 {
     std::ifstream in;
+    errno = 0;
     if (fs::is_regular_file(file)) in.open(file);
+    if (!in.is_open()) RefusedMemory::noteErrno();
     std::vector<double> numbers;
     for (double number = 0; readNumber(in, number);) numbers.push_back(number);
     return numbers;

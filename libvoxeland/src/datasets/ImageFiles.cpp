@@ -2,12 +2,14 @@
 #include "ImageFiles.h"
 
 #include "../files/PictureDecoders.h"
+#include "voxeland/RefusedMemory.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 
@@ -20,9 +22,11 @@ namespace
 std::vector<char> readBytes(const std::string& file, const std::string& which)
 {
     std::ifstream in;
+    errno = 0;
     if (fs::is_regular_file(file)) in.open(file, std::ios::binary);
-    if (!in.is_open()) throw UnusableFrame(which + " cannot be opened");
-    return {std::istreambuf_iterator<char>(in), {}};
+    if (in.is_open()) return {std::istreambuf_iterator<char>(in), {}};
+    RefusedMemory::noteErrno();
+    throw UnusableFrame(which + " cannot be opened");
 }
 
 /** A JPEG file that is cut off decodes to an image with a grey lower part: look for its end. */
@@ -40,7 +44,10 @@ cv::Mat decodeImage(const std::vector<char>& bytes, const std::string& which)
 {
     const uint64_t damagedBefore = damagedPictures();
     cv::Mat image;
+    errno = 0;
+    const SilentDecoders silent;
     if (!bytes.empty() && !isCutJpeg(bytes)) image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
+    if (image.empty()) RefusedMemory::noteErrno();
     if (image.empty() || damagedPictures() != damagedBefore)
         throw UnusableFrame(which + " is damaged");
     return image;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/RgbdDatasetReader.h"
 
+#include "../files/PictureDecoders.h"
 #include "voxeland/datasets/OpticalPose.h"
 #include "voxeland/datasets/ReplicaReader.h"
 #include "voxeland/datasets/ScanNetSensReader.h"
@@ -53,6 +54,7 @@ RgbdDatasetReader::FrameSizes RgbdDatasetReader::sizesOf(const RgbdRecord& recor
 {
     const auto& depth = record.scan->rangeImage;
     const auto& colour = record.scan->intensityImage;
+    const SilentDecoders silent;  // the size is that of the decoded file
     return {{static_cast<int>(depth.cols()), static_cast<int>(depth.rows())},
             {static_cast<int>(colour.getWidth()), static_cast<int>(colour.getHeight())}};
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 
 namespace voxeland
 {
@@ -52,12 +53,31 @@ Asking::Asking(std::shared_ptr<const CDisambiguator> backend,
                std::vector<DisambiguationQuestion> questions, const DisambiguationOptions& options)
     : m_backend(std::move(backend)), m_questions(std::move(questions)), m_options(options)
 {
-    const size_t threads = std::min<size_t>(options.parallel, m_questions.size());
-    m_working = threads;
-    for (size_t i = 0; i < threads; ++i) m_workers.emplace_back([this] { work(); });
+    try {
+        start(std::min<size_t>(options.parallel, m_questions.size()));
+    } catch (...) {
+        stop();
+        throw;
+    }
+}
+
+void Asking::start(size_t threads)
+{
+    m_workers.reserve(threads);
+    const std::lock_guard<std::mutex> lock(m_mutex);  // they begin when all are counted
+    try {
+        for (; m_working < threads; ++m_working) m_workers.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+        if (m_working == 0) throw InputError("no thread can be started to ask: free some memory");
+    }
 }
 
 Asking::~Asking()
+{
+    stop();
+}
+
+void Asking::stop()
 {
     {
         const std::lock_guard<std::mutex> lock(m_mutex);
@@ -65,6 +85,23 @@ Asking::~Asking()
     }
     m_changed.notify_all();
     for (std::thread& worker : m_workers) worker.join();
+}
+
+QuestionOutcome Asking::ask(const DisambiguationQuestion& question, std::exception_ptr& fatal) const
+{
+    QuestionOutcome outcome;
+    outcome.instance = question.instance;
+    try {
+        return askUntilUsable(*m_backend, question, m_options);
+    } catch (const DisambiguationError& e) {
+        outcome.problem = e.what();
+        if (e.fatal) fatal = std::current_exception();
+    } catch (const std::exception& e) {
+        outcome.problem = e.what();
+        fatal = std::current_exception();
+    }
+    outcome.failed = true;
+    return outcome;
 }
 
 void Asking::work()
@@ -80,22 +117,16 @@ void Asking::work()
             }
             number = m_nextQuestion++;
         }
-        QuestionOutcome outcome;
-        outcome.instance = m_questions[number].instance;
         std::exception_ptr fatal;
+        std::unique_lock<std::mutex> lock(m_mutex, std::defer_lock);
         try {
-            outcome = askUntilUsable(*m_backend, m_questions[number], m_options);
-        } catch (const DisambiguationError& e) {
-            outcome.problem = e.what();
-            outcome.failed = true;
-            if (e.fatal) fatal = std::current_exception();
-        } catch (const std::exception& e) {
-            outcome.problem = e.what();
-            outcome.failed = true;
+            QuestionOutcome outcome = ask(m_questions[number], fatal);
+            lock.lock();
+            m_outcomes.push_back(std::move(outcome));
+        } catch (...) {  // no memory for the outcome
             fatal = std::current_exception();
+            if (!lock.owns_lock()) lock.lock();
         }
-        std::unique_lock<std::mutex> lock(m_mutex);
-        m_outcomes.push_back(std::move(outcome));
         const size_t mine = ++m_given;
         if (fatal) {
             m_stop = true;

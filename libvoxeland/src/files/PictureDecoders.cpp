@@ -5,8 +5,11 @@
  *  first: they are those of the libraries with other defaults. */
 #include "PictureDecoders.h"
 
+#include "voxeland/RefusedMemory.h"
+
 #include <cstdio>
 #include <dlfcn.h>
+#include <iostream>
 #include <stdexcept>
 
 // After <cstdio>, which it needs.
@@ -27,7 +30,9 @@ Function* original(const char* name, Function*)
 
 [[noreturn]] void throwJpegError(j_common_ptr picture)
 {
+    const bool isOutOfMemory = picture->err->msg_code == JERR_OUT_OF_MEMORY;
     jpeg_destroy(picture);
+    if (isOutOfMemory) voxeland::RefusedMemory::note();
     throw std::runtime_error("a JPEG picture is damaged");
 }
 
@@ -69,5 +74,12 @@ namespace voxeland
 uint64_t damagedPictures()
 {
     return damaged;
+}
+
+SilentDecoders::SilentDecoders() : m_stderr(std::cerr.rdbuf(nullptr)) {}
+
+SilentDecoders::~SilentDecoders()
+{
+    std::cerr.rdbuf(m_stderr);
 }
 }  // namespace voxeland

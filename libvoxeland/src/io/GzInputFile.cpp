@@ -2,6 +2,7 @@
 #include "voxeland/io/GzInputFile.h"
 
 #include "../files/PictureDecoders.h"
+#include "voxeland/RefusedMemory.h"
 #include "voxeland/errors.h"
 #include "voxeland/files/InputFile.h"
 
@@ -102,6 +103,14 @@ bool GzInputFile::isAtEnd()
     int state = Z_OK;
     gzerror(m_file, &state);
     if (state == Z_OK) return true;
+    fail();
+}
+
+void GzInputFile::fail() const
+{
+    int state = Z_OK;
+    gzerror(m_file, &state);
+    if (state == Z_MEM_ERROR) throw std::bad_alloc();
     throw InputError(m_name + ": the file is cut off or damaged" + COPY_IT);
 }
 
@@ -118,6 +127,7 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
         updateProgress();
         return object;
     } catch (const std::bad_alloc&) {
+        RefusedMemory::forget();
         throw InputError(where +
                          ": an object takes more memory than this program may use: the file is "
                          "damaged, or memory is short: copy it again, or free memory");
@@ -142,7 +152,7 @@ size_t GzInputFile::Read(void* data, size_t bytes)
     while (left > 0) {
         const auto n = static_cast<unsigned>(std::min(left, MOST_AT_ONCE));
         const int got = gzread(m_file, at, n);
-        if (got < 0) throw InputError(m_name + ": the file is cut off or damaged" + COPY_IT);
+        if (got < 0) fail();
         m_objectBytes.append(at,
                              std::min(static_cast<size_t>(got), m_mostKept - m_objectBytes.size()));
         at += got;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/OutputPart.h"
 
+#include "voxeland/RefusedMemory.h"
 #include "voxeland/files/FolderNames.h"
 #include "voxeland/io/writeFailure.h"
 
@@ -120,6 +121,7 @@ int OutputPart::sync() const
 
 int OutputPart::moveTo(const std::string& name)
 {
+    RefusedMemory::check();
     if (const int error = sync()) return error;
     if (std::rename(m_path.c_str(), name.c_str()) != 0) return errno;
     m_path.clear();

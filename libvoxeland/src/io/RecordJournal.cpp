@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/io/RecordJournal.h"
 
+#include "voxeland/RefusedMemory.h"
 #include "voxeland/errors.h"
 #include "voxeland/io/OutputPart.h"
 #include "voxeland/io/writeFailure.h"
@@ -50,10 +51,13 @@ RecordJournal::RecordJournal(std::string file, const std::string& title, const s
                           ": another run with the same output is at it: wait for its end");
     m_size = static_cast<uint64_t>(status.st_size);
     m_in.open(m_file, std::ios::binary);
-    if (isOf(title, origin)) {
+    const bool isAnEarlierOne = isOf(title, origin);
+    checkRead();
+    if (isAnEarlierOne) {
         const auto first = m_in.tellg();
         auto end = first;
         for (; readRecord(); end = m_in.tellg()) ++m_kept;
+        checkRead();
         m_in.clear();
         m_in.seekg(first);
         if (ftruncate(m_descriptor, end) != 0) failToWrite(m_file, errno);
@@ -65,6 +69,14 @@ RecordJournal::RecordJournal(std::string file, const std::string& title, const s
 RecordJournal::~RecordJournal()
 {
     if (m_descriptor >= 0) close(m_descriptor);
+}
+
+/** Before anything is cut off. \throws InputError if it is only that it cannot be read */
+void RecordJournal::checkRead() const
+{
+    RefusedMemory::check();
+    if (!m_in.is_open() || m_in.bad())
+        throw InputError("cannot read " + m_file + ": check the disk");
 }
 
 bool RecordJournal::isOf(const std::string& title, const std::string& origin)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthImageFile.h"
 
+#include "voxeland/RefusedMemory.h"
 #include "voxeland/files/InputFile.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <memory>
 #include <zlib.h>
@@ -66,6 +68,7 @@ void loadDepthImage(const CObservation3DRangeScan& scan)
     if (!scan.hasRangeImage || !scan.rangeImage_isExternallyStored()) return;
     const std::string file = scan.rangeImage_getExternalStorageFileAbsolutePath("");
     bool isRead = false;
+    errno = 0;
     try {
         checkInputFile(file, "the depth image");
         const bool isText = file.size() > 4 && file.compare(file.size() - 4, 4, ".txt") == 0;
@@ -75,8 +78,9 @@ void loadDepthImage(const CObservation3DRangeScan& scan)
     } catch (const std::exception&) {
         isRead = false;
     }
-    if (!isRead)
-        throw UnusableFrame("the depth image '" + file +
-                            "' is missing or damaged: restore the rawlog's folder of images");
+    if (isRead) return;
+    RefusedMemory::noteErrno();
+    throw UnusableFrame("the depth image '" + file +
+                        "' is missing or damaged: restore the rawlog's folder of images");
 }
 }  // namespace voxeland

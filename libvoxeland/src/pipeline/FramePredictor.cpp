@@ -3,12 +3,20 @@
 
 #include "voxeland/observations/UnusableFrame.h"
 
+#include <system_error>
+#include <utility>
+
 namespace voxeland
 {
 FramePredictor::FramePredictor(const SemanticMapper& mapper, FramePreparer::Source source)
     : m_mapper(mapper), m_source(std::move(source))
 {
-    if (mapper.config().converter->makesPredictions()) m_worker = std::thread([this] { work(); });
+    try {
+        if (mapper.config().converter->makesPredictions())
+            m_worker = std::thread([this] { work(); });
+    } catch (const std::system_error&) {
+        // Where there is no thread to be had, next() does it.
+    }
 }
 
 FramePredictor::~FramePredictor()
@@ -21,17 +29,25 @@ FramePredictor::~FramePredictor()
     if (m_worker.joinable()) m_worker.join();
 }
 
+std::optional<RgbdFrame> FramePredictor::predicted()
+{
+    auto frame = m_source();
+    if (frame) m_mapper.predict(*frame);
+    return frame;
+}
+
 std::optional<RgbdFrame> FramePredictor::next()
 {
-    if (!m_worker.joinable()) return m_source();
+    if (!m_worker.joinable()) return predicted();
     std::unique_lock<std::mutex> lock(m_mutex);
-    m_changed.wait(lock, [this] { return !m_ready.empty(); });
-    if (m_ready.front().isLast) {
-        if (m_ready.front().error) std::rethrow_exception(m_ready.front().error);
+    m_changed.wait(lock, [this] { return m_given > m_taken; });
+    Result& next = m_ready[m_taken % CAPACITY];
+    if (next.isLast) {
+        if (next.error) std::rethrow_exception(next.error);
         return std::nullopt;
     }
-    const Result result = std::move(m_ready.front());
-    m_ready.pop_front();
+    const Result result = std::exchange(next, Result());
+    ++m_taken;
     m_changed.notify_all();
     if (result.error) std::rethrow_exception(result.error);
     return result.frame;
@@ -42,9 +58,8 @@ void FramePredictor::work()
     for (bool isLast = false; !isLast;) {
         Result result;
         try {
-            result.frame = m_source();
+            result.frame = predicted();
             result.isLast = !result.frame;
-            if (result.frame) m_mapper.predict(*result.frame);
         } catch (const UnusableFrame&) {
             result.error = std::current_exception();
         } catch (...) {
@@ -52,9 +67,9 @@ void FramePredictor::work()
         }
         isLast = result.isLast;
         std::unique_lock<std::mutex> lock(m_mutex);
-        m_changed.wait(lock, [this] { return m_stop || m_ready.size() < CAPACITY; });
+        m_changed.wait(lock, [this] { return m_stop || m_given - m_taken < CAPACITY; });
         if (m_stop) return;
-        m_ready.push_back(std::move(result));
+        m_ready[m_given++ % CAPACITY] = std::move(result);
         m_changed.notify_all();
     }
 }

@@ -3,6 +3,9 @@
 
 #include "voxeland/observations/UnusableFrame.h"
 
+#include <system_error>
+#include <utility>
+
 namespace voxeland
 {
 FramePreparer::FramePreparer(const SemanticMapper& mapper, Source source, unsigned threads)
@@ -10,13 +13,22 @@ FramePreparer::FramePreparer(const SemanticMapper& mapper, Source source, unsign
 {
     if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
     if (threads == 1) return;
-    m_capacity = 2 * threads;
+    m_results.resize(2 * threads);
     m_workers.reserve(threads);
     try {
-        for (unsigned i = 0; i < threads; ++i) m_workers.emplace_back([this] { work(); });
+        start(threads);
     } catch (...) {
         stop();
         throw;
+    }
+}
+
+void FramePreparer::start(unsigned threads)
+{
+    try {
+        while (m_workers.size() < threads) m_workers.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+        // Those that there are do the work, or next() alone.
     }
 }
 
@@ -43,21 +55,23 @@ std::optional<PreparedFrame> FramePreparer::next()
         return m_mapper.prepare(*frame);
     }
     std::unique_lock<std::mutex> lock(m_mutex);
-    m_changed.wait(lock, [this] { return m_ready.count(m_nextWanted) != 0; });
-    Result& result = m_ready[m_nextWanted];
-    if (result.error) {
+    Result& next = resultOf(m_nextWanted);
+    m_changed.wait(lock, [&] { return next.isReady; });
+    if (next.error) {
         try {
-            std::rethrow_exception(result.error);
+            std::rethrow_exception(next.error);
         } catch (const UnusableFrame&) {
-            m_ready.erase(m_nextWanted++);
+            next = Result();
+            ++m_nextWanted;
             m_changed.notify_all();
             throw;
         }
     }
-    if (!result.frame) return std::nullopt;
-    auto frame = m_ready.extract(m_nextWanted++);
+    if (!next.frame) return std::nullopt;
+    Result result = std::exchange(next, Result());
+    ++m_nextWanted;
     m_changed.notify_all();
-    return std::move(frame.mapped().frame);
+    return std::move(result.frame);
 }
 
 void FramePreparer::work()
@@ -71,8 +85,9 @@ void FramePreparer::work()
             const std::lock_guard<std::mutex> reading(m_reading);
             {
                 std::unique_lock<std::mutex> lock(m_mutex);
-                m_changed.wait(
-                    lock, [this] { return m_stop || m_nextTicket < m_nextWanted + m_capacity; });
+                m_changed.wait(lock, [this] {
+                    return m_stop || m_nextTicket < m_nextWanted + m_results.size();
+                });
                 if (m_stop) return;
                 ticket = m_nextTicket++;
             }
@@ -95,7 +110,8 @@ void FramePreparer::work()
         }
         {
             const std::lock_guard<std::mutex> lock(m_mutex);
-            m_ready[ticket] = std::move(result);
+            result.isReady = true;
+            resultOf(ticket) = std::move(result);
         }
         m_changed.notify_all();
         if (isLast) return;

@@ -32,12 +32,14 @@ cv::Mat colourImage(const mrpt::obs::CObservation3DRangeScan& scan)
     if (!scan.hasIntensityImage)
         throw UnusableFrame(frame + " has no colour image, which a network needs");
     cv::Mat image;
+    errno = 0;
     try {
         const auto& stored = scan.intensityImage;
         if (stored.isExternallyStored())
             checkInputFile(stored.getExternalStorageFileAbsolutePath(), "the colour image");
         image = stored.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
     } catch (const std::exception&) {
+        RefusedMemory::noteErrno();
         throw UnusableFrame("the colour image of " + frame +
                             " cannot be read: restore the rawlog's folder of images");
     }

@@ -35,7 +35,8 @@ QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQues
 class Asking
 {
  public:
-    /** Starts asking, in the order of the questions. */
+    /** Starts asking, in the order of the questions, in as many threads as the system allows.
+     *  \throws InputError if it allows none */
     Asking(std::shared_ptr<const CDisambiguator> backend,
            std::vector<DisambiguationQuestion> questions, const DisambiguationOptions& options);
     /** Asks nothing more and waits for what is being asked. */
@@ -52,6 +53,11 @@ class Asking
     void rethrow() const;
 
  private:
+    void start(size_t threads);
+    void stop();
+    /** \param fatal set to what keeps all other questions from being asked, too */
+    [[nodiscard]] QuestionOutcome ask(const DisambiguationQuestion& question,
+                                      std::exception_ptr& fatal) const;
     void work();
 
     std::shared_ptr<const CDisambiguator> m_backend;

@@ -53,6 +53,8 @@ class GzInputFile : public mrpt::io::CStream
 
  private:
     bool isAtEnd();
+    /** What zlib says of the file. */
+    [[noreturn]] void fail() const;
     void updateProgress();
 
     std::string m_name;

@@ -27,7 +27,8 @@ class OutputPart
     [[nodiscard]] const std::string& path() const { return m_path; }
     /** Waits until what was written is on the disk, and gives it another name in the same folder,
      * in the place of what has it. Stays locked.
-     *  \return 0, or the system's errno if that fails */
+     *  \return 0, or the system's errno if that fails
+     *  \throws std::bad_alloc if memory was refused: something may be missing in it */
     [[nodiscard]] int moveTo(const std::string& name);
 
  private:

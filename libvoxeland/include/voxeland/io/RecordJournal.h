@@ -19,7 +19,8 @@ class RecordJournal
     /** Opens the file, or begins a new one where there is none of that title and origin.
      *  \param title what the records are, with the version of their format; one line
      *  \param origin what they depend on: only those of the same one are kept
-     *  \throws OutputError if it cannot be written, or another run holds it */
+     *  \throws OutputError if it cannot be written, or another run holds it,
+     *  InputError if what there is cannot be read */
     RecordJournal(std::string file, const std::string& title, const std::string& origin);
     ~RecordJournal();
     RecordJournal(const RecordJournal&) = delete;
@@ -37,6 +38,7 @@ class RecordJournal
 
  private:
     void begin(const std::string& title, const std::string& origin);
+    void checkRead() const;
     bool isOf(const std::string& title, const std::string& origin);
     std::optional<Bytes> readRecord();
     void write(const void* data, size_t size);

@@ -2,7 +2,7 @@
 #pragma once
 #include "voxeland/pipeline/FramePreparer.h"
 
-#include <deque>
+#include <array>
 
 namespace voxeland
 {
@@ -19,11 +19,13 @@ class FramePredictor
     FramePredictor& operator=(const FramePredictor&) = delete;
 
     /** The next frame, or none at the end; to be called by one thread at a time. What reading it or
-     * making its predictions threw is thrown again here; after an UnusableFrame the next call gives the
-     * frame behind it. */
+     * making its predictions threw is thrown again here; after an UnusableFrame the next call gives
+     * the frame behind it. */
     std::optional<RgbdFrame> next();
 
  private:
+    /** The next frame, with its predictions. */
+    std::optional<RgbdFrame> predicted();
     /** Makes predictions until there are no more frames, or nobody wants them. */
     void work();
     static constexpr size_t CAPACITY = 4;
@@ -40,7 +42,8 @@ class FramePredictor
     FramePreparer::Source m_source;
     std::mutex m_mutex;  //!< guards all below
     std::condition_variable m_changed;
-    std::deque<Result> m_ready;
+    std::array<Result, CAPACITY> m_ready;
+    size_t m_given = 0, m_taken = 0;  //!< results so far: put there, and taken from there
     bool m_stop = false;
     std::thread m_worker;
 };

@@ -5,7 +5,6 @@
 #include <condition_variable>
 #include <exception>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -22,7 +21,7 @@ class FramePreparer
     using Source = std::function<std::optional<RgbdFrame>()>;
 
     /** \param mapper must outlive this \param threads 1: everything happens in next(); 0: one a
-     * core */
+     * core; as many as the system allows */
     FramePreparer(const SemanticMapper& mapper, Source source, unsigned threads);
     ~FramePreparer();
     FramePreparer(const FramePreparer&) = delete;
@@ -36,20 +35,23 @@ class FramePreparer
  private:
     struct Result
     {
+        bool isReady = false;
         std::optional<PreparedFrame> frame;
         std::exception_ptr error;
     };
 
     void stop();
+    void start(unsigned threads);
     void work();
+    [[nodiscard]] Result& resultOf(size_t ticket) { return m_results[ticket % m_results.size()]; }
 
     const SemanticMapper& m_mapper;
     Source m_source;
     std::mutex m_reading;  //!< held while the source is read, so that tickets follow its order
     std::mutex m_mutex;    //!< guards all below
     std::condition_variable m_changed;
-    std::map<size_t, Result> m_ready;
-    size_t m_capacity = 0, m_nextTicket = 0, m_nextWanted = 0;
+    std::vector<Result> m_results;  //!< of the tickets from m_nextWanted on, one behind the other
+    size_t m_nextTicket = 0, m_nextWanted = 0;
     bool m_stop = false;
     std::vector<std::thread> m_workers;
 };
