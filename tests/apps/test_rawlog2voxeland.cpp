@@ -3,6 +3,7 @@
 #include "support/RunProgram.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
+#include "voxeland/io/GzInputFile.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -254,14 +255,56 @@ TEST_F(Rawlog2voxeland, AMissingDepthImageEndsWith3IfStrict)
     EXPECT_NE(result.output.find("2 mapped"), std::string::npos) << result.output;
 }
 
-TEST_F(Rawlog2voxeland, MasksOfAWrongSizeEndWith3)
+TEST_F(Rawlog2voxeland, APictureInsideTheRawlogThatIsNoneIsMissedAlone)
+{
+    auto frames = smallFrames(3);
+    for (auto& f : frames) {
+        f.scan->hasIntensityImage = true;
+        f.scan->intensityImage.resize(COLUMNS, ROWS, mrpt::img::CH_RGB);
+    }
+    mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(false);
+    write(frames);
+    mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(true);
+    ASSERT_EQ(run().exitCode, 0);
+    const std::string whole = readFile(out());
+
+    std::string objects;
+    {
+        GzInputFile rawlog(in());
+        rawlog.keepObjectBytes();
+        while (rawlog.readObject()) objects += rawlog.objectBytes();
+    }
+    const size_t header = objects.find("\xFF\xD8\xFF");
+    ASSERT_NE(header, std::string::npos);
+    objects[header] = 0;
+    writeFile(in(), objects);
+    writeFile(out(), EARLIER);
+    expectFailure(run({"--strict"}), 3, {"in.rawlog", "damaged picture"});
+    const auto result = run();
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.errors.find("1 picture of the rawlog damaged"), std::string::npos)
+        << result.errors;
+    EXPECT_EQ(readFile(out()), whole) << "depth, pose and predictions are there";
+}
+
+TEST_F(Rawlog2voxeland, MasksOfAWrongSizeAreLeftOut)
 {
     auto frames = smallFrames(3);
     frames[2].instances->imageWidth = 160;
     frames[2].instances->imageHeight = 30;
     for (auto& i : frames[2].instances->instances) i.mask = rectangleMask(1, 1, 5, 5, 160, 30);
     write(frames);
-    expectFailure(run(), 3, {"160x30", "80x60", "'camera'"});
+    expectFailure(run({"--strict"}), 3, {"160x30", "80x60", "'camera'"});
+    const auto result = run();
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.errors.find("2 predictions of the rawlog left out"), std::string::npos)
+        << result.errors;
+    EXPECT_NE(result.errors.find("160x30"), std::string::npos) << result.errors;
+    EXPECT_NE(result.output.find("3 mapped, 1 of them without predictions"), std::string::npos)
+        << result.output;
+    frames[0].instances = frames[1].instances = nullptr;
+    write(frames);
+    expectFailure(run(), 3, {"none of the predictions", "160x30"});
 }
 
 TEST_F(Rawlog2voxeland, AnUnknownCategoryIsJustAnotherOne)

@@ -65,9 +65,12 @@ TEST_P(WithThreads, AnUnusableFrameIsReportedAfterThoseBefore)
 
 TEST_P(WithThreads, ADamagedFileIsReportedAfterTheFramesBefore)
 {
-    FramePreparer preparer(m_mapper, source(m_read, -1, 9), GetParam());
-    for (int i = 0; i < 9; ++i) ASSERT_TRUE(preparer.next()) << i;
-    EXPECT_THROW(preparer.next(), InputError);
+    {
+        FramePreparer preparer(m_mapper, source(m_read, -1, 9), GetParam());
+        for (int i = 0; i < 9; ++i) ASSERT_TRUE(preparer.next()) << i;
+        EXPECT_THROW(preparer.next(), InputError);
+    }
+    EXPECT_EQ(m_read, 10) << "what has failed is not asked again";
 }
 
 TEST_P(WithThreads, MayBeLeftBeforeTheEnd)

@@ -10,9 +10,12 @@
 #include <cstdio>
 #include <dlfcn.h>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 
 // After <cstdio>, which it needs.
+#include <mrpt/img/CImage.h>
+
 #include <jerror.h>
 #include <jpeglib.h>
 #include <png.h>
@@ -49,6 +52,23 @@ void countJpegWarning(j_common_ptr picture)
 
 void ignorePngWarning(png_structp, png_const_charp) {}
 }  // namespace
+
+/** With this MRPT reads the pictures inside rawlogs. One that is no picture is left empty, as what
+ *  comes behind it in the file can be read. */
+void mrpt::img::CImage::loadFromStreamAsJPEG(mrpt::io::CStream& in)
+{
+    using Function = void(CImage&, mrpt::io::CStream&);
+    static const auto standard =
+        original<Function>("_ZN4mrpt3img6CImage20loadFromStreamAsJPEGERNS_2io7CStreamE", nullptr);
+    try {
+        standard(*this, in);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
+        *this = CImage();
+        ++damaged;
+    }
+}
 
 extern "C" {
 jpeg_error_mgr* jpeg_std_error(jpeg_error_mgr* manager)

@@ -6,7 +6,7 @@
 namespace voxeland
 {
 /** How many pictures this thread has decoded of which libjpeg says that their bytes are damaged:
- *  parts of them are grey or of wrong colours. */
+ *  parts of them are grey or of wrong colours, or they are left empty. */
 uint64_t damagedPictures();
 
 /** Keeps OpenCV from telling on stderr in its own words why a picture cannot be decoded; nothing

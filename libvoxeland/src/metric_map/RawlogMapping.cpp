@@ -127,6 +127,9 @@ MappedInput mapRawlog(
     if (!source.stoppedBefore()) {
         if (!mapped && met.leftOut.count() > 0) failWithoutFrames(met.leftOut, unreadable);
         checkSomethingMapped(source, mapped);
+        if (met.predictions == 0 && source.oddPredictions().count() > 0)
+            throw InputError("none of the predictions can be used: " +
+                             source.oddPredictions().first());
         checkDepths(met.depths, map.mapper().config().input.depth);
     }
     map.addSkipped(source.skipped());

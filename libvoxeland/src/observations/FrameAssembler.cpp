@@ -4,6 +4,7 @@
 #include "../base/Reading.h"
 #include "voxeland/counted.h"
 #include "voxeland/numbers.h"
+#include "voxeland/observations/MaskCamera.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
@@ -144,6 +145,15 @@ std::shared_ptr<const CObservationInstances> FrameAssembler::withoutOdd(
     return changed;
 }
 
+std::shared_ptr<const CObservationInstances> FrameAssembler::ifTheyFit(
+    std::shared_ptr<const CObservationInstances> observation, const CObservation3DRangeScan& scan)
+{
+    const std::string misfit = observation ? misfitOf(*observation, scan) : "";
+    if (misfit.empty()) return observation;
+    for (size_t i = 0; i < observation->instances.size(); ++i) m_oddPredictions.add(misfit);
+    return nullptr;
+}
+
 void FrameAssembler::addScan(std::shared_ptr<const CObservation3DRangeScan> scan,
                              std::shared_ptr<const CObservationInstances> instances,
                              std::optional<RobotPose> pose)
@@ -251,7 +261,8 @@ std::optional<RgbdFrame> FrameAssembler::next()
         RgbdFrame frame;
         frame.scan = std::move(scan.scan);
         frame.instances =
-            scan.instances ? std::move(scan.instances) : lastInstances(scan.moment.time);
+            ifTheyFit(scan.instances ? std::move(scan.instances) : lastInstances(scan.moment.time),
+                      *frame.scan);
         forgetOldPoses(scan.moment);
         m_scans.pop_front();
         forgetOldPredictions();

@@ -7,6 +7,7 @@
 #include "voxeland/observations/MaskCamera.h"
 #include "voxeland/observations/PixelDirections.h"
 #include "voxeland/observations/Projection.h"
+#include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/Lie/SE.h>
@@ -24,16 +25,11 @@ namespace voxeland
 {
 namespace
 {
+/** \throws UnusableFrame unless they are of the scan's images */
 void checkPredictions(const CObservation3DRangeScan& scan, const CObservationInstances& predictions)
 {
-    const TCamera& camera = maskCamera(scan);
-    if (predictions.imageWidth == static_cast<int>(camera.ncols) &&
-        predictions.imageHeight == static_cast<int>(camera.nrows))
-        return;
-    throw InputError(frameName(scan) + " has predictions for images of " +
-                     sizeText(predictions.imageWidth, predictions.imageHeight) +
-                     " pixels but a colour camera of " + sizeText(camera.ncols, camera.nrows) +
-                     ": make the predictions at the camera's size");
+    const std::string misfit = misfitOf(predictions, scan);
+    if (!misfit.empty()) throw UnusableFrame(misfit);
 }
 
 /** Whether every depth pixel and the colour pixel of the same position look the same way. */
@@ -65,7 +61,7 @@ VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const 
     checkDepthImage(scan);
     if (frame.instances) checkPredictions(scan, *frame.instances);
     const CPose3D sensorPose = frame.robotPose + scan.sensorPose;
-    if (!isValidPose(sensorPose)) throw InputError(frameName(scan) + " has an invalid pose");
+    if (!isValidPose(sensorPose)) throw UnusableFrame(frameName(scan) + " has an invalid pose");
     m_focalLength = scan.cameraParams.fx();
     m_origin = sensorPose.translation();
     GroupedPixels grouped = groupPixels(scan, sensorPose, resolution, limits);

@@ -83,6 +83,7 @@ void FramePreparer::work()
         bool isLast = false;
         {
             const std::lock_guard<std::mutex> reading(m_reading);
+            if (m_isRead) return;
             {
                 std::unique_lock<std::mutex> lock(m_mutex);
                 m_changed.wait(lock, [this] {
@@ -100,6 +101,7 @@ void FramePreparer::work()
                 result.error = std::current_exception();
                 isLast = true;
             }
+            m_isRead = isLast;
         }
         if (frame) {
             try {
@@ -114,7 +116,6 @@ void FramePreparer::work()
             resultOf(ticket) = std::move(result);
         }
         m_changed.notify_all();
-        if (isLast) return;
     }
 }
 }  // namespace voxeland

@@ -51,6 +51,7 @@ RawlogFrameSource::RawlogFrameSource(const std::string& file, const InputOptions
     : m_file(file),
       m_options(options),
       m_range(range),
+      m_strict(strict),
       m_cameras("scans", options.depth_sensor_label, "depth_sensor_label"),
       m_detectors("predictions", options.instances_sensor_label, "instances_sensor_label"),
       m_poseSensors("poses", options.pose_sensor_label, "pose_sensor_label"),
@@ -104,7 +105,8 @@ std::vector<std::string> RawlogFrameSource::notes() const
         choice->tell(notes);
     if (const uint64_t damaged = m_input->damagedPictures(); damaged > 0)
         notes.push_back(counted(damaged, "picture") +
-                        " of the rawlog damaged: parts are grey or of wrong colours");
+                        " of the rawlog damaged (--strict: an error): parts are grey, of wrong "
+                        "colours or missing");
     const auto tell = [&](const LeftOut& odd, const char* one, const char* several) {
         if (odd.count() > 0) notes.push_back(odd.told(one, several));
     };
@@ -158,6 +160,9 @@ bool RawlogFrameSource::readOn()
     }
     const auto object = m_input->readObject();
     if (!object) return false;
+    if (m_strict && m_input->damagedPictures() > 0)
+        throw InputError(m_file + " has a damaged picture among the first " +
+                         counted(m_framesMet + 1, "frame") + ": make it anew");
     take(object);
     return true;
 }

@@ -31,7 +31,8 @@ class GzInputFile : public mrpt::io::CStream
     /** The object last read as it is in the file (uncompressed). */
     [[nodiscard]] const std::string& objectBytes() const { return m_objectBytes; }
 
-    /** How many of the pictures read so far are damaged: parts of them are grey or wrong. */
+    /** How many of the pictures read so far are damaged: parts of them are grey or wrong,
+     *  or nothing is left of them. */
     [[nodiscard]] uint64_t damagedPictures() const { return m_damagedPictures; }
 
     /** How much of the file had been read after the last object, in [0,1]. From any thread. */

@@ -90,7 +90,8 @@ class FrameAssembler
     [[nodiscard]] const Counts& counts() const { return m_counts; }
     /** Poses and covariances that are none. */
     [[nodiscard]] const LeftOut& oddPoses() const { return m_oddPoses; }
-    /** Predictions whose numbers are none. */
+    /** Predictions whose numbers are none, or whose images are of another size than the camera's.
+     */
     [[nodiscard]] const LeftOut& oddPredictions() const { return m_oddPredictions; }
     /** Times of all scans that had one, and of all poses there were. */
     [[nodiscard]] const TimeRange& scanTimes() const { return m_scanTimes; }
@@ -134,6 +135,10 @@ class FrameAssembler
     /** Leaves out predictions whose numbers are none. */
     std::shared_ptr<const CObservationInstances> withoutOdd(
         std::shared_ptr<const CObservationInstances> observation);
+    /** Leaves out all of them if they are not of the scan's images. */
+    std::shared_ptr<const CObservationInstances> ifTheyFit(
+        std::shared_ptr<const CObservationInstances> observation,
+        const mrpt::obs::CObservation3DRangeScan& scan);
     /** Counts a scan that came, used or not. \return when it was taken, and which it is of those */
     std::pair<Moment, size_t> momentOfScan(const mrpt::Clock::time_point& time);
     /** The pose of a scan, if no other can come that fits better. */

@@ -47,8 +47,9 @@ class FramePreparer
 
     const SemanticMapper& m_mapper;
     Source m_source;
-    std::mutex m_reading;  //!< held while the source is read, so that tickets follow its order
-    std::mutex m_mutex;    //!< guards all below
+    std::mutex m_reading;   //!< held while the source is read, so that tickets follow its order
+    bool m_isRead = false;  //!< to its end, or to what cannot be read; guarded by m_reading
+    std::mutex m_mutex;     //!< guards all below
     std::condition_variable m_changed;
     std::vector<Result> m_results;  //!< of the tickets from m_nextWanted on, one behind the other
     size_t m_nextTicket = 0, m_nextWanted = 0;

@@ -44,8 +44,9 @@ struct FrameRange
 class RawlogFrameSource
 {
  public:
-    /** \param strict odd poses, which are left out and told otherwise, are errors
-     *  \throws InputError if a file cannot be read, ConfigurationError for an unknown pose source
+    /** \param strict odd poses, predictions and pictures, which are left out and told otherwise,
+     * are errors \throws InputError if a file cannot be read, ConfigurationError for an unknown
+     * pose source
      */
     RawlogFrameSource(const std::string& file, const InputOptions& options, const FrameRange& range,
                       bool strict = false);
@@ -73,6 +74,8 @@ class RawlogFrameSource
     [[nodiscard]] std::vector<std::string> notes() const;
     /** Why frames have no pose, as far as their times tell, and what to do. */
     [[nodiscard]] std::string whyNoPoses() const;
+    /** Predictions that were left out as they cannot be used. */
+    [[nodiscard]] const LeftOut& oddPredictions() const { return m_assembler.oddPredictions(); }
     /** Why framesMet() is zero, and what to do. */
     [[nodiscard]] std::string whyNoFrames() const;
 
@@ -100,6 +103,7 @@ class RawlogFrameSource
     std::string m_file;
     InputOptions m_options;
     FrameRange m_range;
+    bool m_strict;
     LabelChoice m_cameras, m_detectors, m_poseSensors;
     std::unique_ptr<GzInputFile> m_input;
     PredictionSidecar m_sidecar;
