@@ -19,7 +19,8 @@ using mrpt::poses::CPose3D;
 
 namespace
 {
-constexpr double INF = std::numeric_limits<double>::infinity(), NONE = std::nan("");
+using Limits = std::numeric_limits<double>;
+constexpr double INF = Limits::infinity(), NONE = Limits::quiet_NaN();
 
 /** Makes frames whose numbers are mostly fine and now and then anything. */
 class AnyFrames

@@ -43,9 +43,11 @@ SemanticVoxelMap randomMapAround(const PreparedFrame& frame)
     std::uniform_int_distribution<size_t> hit(0, hits.size() - 1);
     std::uniform_int_distribution<int32_t> step(-4, 4);
     std::uniform_int_distribution<instance_id_t> any(UNKNOWN_INSTANCE, 5);
-    for (size_t i = 0; i < 3 * hits.size(); ++i)
-        addBox(map, any(random), hits[hit(random)].coord + VoxelCoord{step(random), 0, 0},
-               {1, 1, 1}, static_cast<float>(1 + i % 5));
+    for (size_t i = 0; i < 3 * hits.size(); ++i) {
+        const VoxelCoord aside = {step(random), 0, 0};
+        const VoxelCoord at = hits[hit(random)].coord + aside;
+        addBox(map, any(random), at, {1, 1, 1}, static_cast<float>(1 + i % 5));
+    }
     return map;
 }
 

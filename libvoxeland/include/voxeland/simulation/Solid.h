@@ -20,7 +20,7 @@ struct SurfacePoint
 };
 
 /** Box with sides along the world's axes. */
-struct Bounds
+struct alignas(float) Bounds
 {
     Vector3 min{1e9F, 1e9F, 1e9F};
     Vector3 max{-1e9F, -1e9F, -1e9F};
@@ -87,7 +87,7 @@ class Solid
 
  private:
     Shape m_shape;
-    Vector3 m_center, m_halfSize;
+    alignas(float) Vector3 m_center, m_halfSize;
     std::array<Vector3, 3> m_axes;  //!< of the solid's frame, in the world
     Appearance m_appearance;
     Bounds m_bounds;

@@ -4,7 +4,8 @@
 
 namespace voxeland::simulation
 {
-/** A point or direction; metres. */
+/** A point or direction; metres. MRPT packs it, so whoever holds one after something smaller, and
+ * refers to its numbers, aligns it. */
 using Vector3 = mrpt::math::TPoint3Df;
 
 inline float dot(const Vector3& a, const Vector3& b)
