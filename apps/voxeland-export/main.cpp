@@ -210,12 +210,8 @@ void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const LevelFr
             attempts.written().add(arguments.gridmap.getValue());
         });
     if (arguments.rosMap.isSet())
-        attempts.attempt([&] {
-            const std::string& yaml = arguments.rosMap.getValue();
-            exportRosMap(slice, yaml);
-            attempts.written().add(rosImageOf(yaml));
-            attempts.written().add(yaml);
-        });
+        attempts.attempt(
+            [&] { exportRosMap(slice, arguments.rosMap.getValue(), attempts.written()); });
 }
 
 /** Whether any object is of a category, or that is *unknown*. */

@@ -4,9 +4,11 @@
 #include "common/CommandLine.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <sys/ptrace.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +16,34 @@ namespace voxeland::test
 {
 namespace
 {
+constexpr int CANNOT_TRACE = 126;  // exit code
+
+/** In a child: has its parent trace it from here on. */
+void becomeTraced()
+{
+    if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(CANNOT_TRACE);
+    raise(SIGSTOP);
+}
+
+/** Lets a child run, and kills it before its n-th system call. \return system calls it began */
+unsigned killAt(unsigned n, pid_t child, int& status)
+{
+    waitpid(child, &status, 0);
+    if (!WIFSTOPPED(status)) return 0;
+    ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_EXITKILL | PTRACE_O_TRACESYSGOOD);
+    unsigned calls = 0;
+    int passed = 0;  // a signal that the child is to get
+    for (bool isInside = false;;) {
+        ptrace(PTRACE_SYSCALL, child, nullptr, passed);
+        waitpid(child, &status, 0);
+        if (!WIFSTOPPED(status)) return calls;
+        const bool isCall = WSTOPSIG(status) == (SIGTRAP | 0x80);
+        passed = isCall ? 0 : WSTOPSIG(status);
+        if (isCall) isInside = !isInside;
+        if (isCall && isInside && ++calls == n) kill(child, SIGKILL);
+    }
+}
+
 /** Ends the process as a program would that does this work; tells in a pipe how many calls there
  * were. */
 [[noreturn]] void workAndEnd(const std::function<void()>& work, int messages, int calls)
@@ -41,6 +71,11 @@ std::string contentOf(int pipe)
 }
 }  // namespace
 
+bool canTrace()
+{
+    return attempt(Calls::system, ~0U, KILL, ONCE, [] {}).exitCode == 0;
+}
+
 Attempt attempt(Calls kind, unsigned n, int error, unsigned times,
                 const std::function<void()>& work)
 {
@@ -48,18 +83,26 @@ Attempt attempt(Calls kind, unsigned n, int error, unsigned times,
     if (pipe(messages) != 0 || pipe(calls) != 0) throw std::runtime_error("no pipe");
     const pid_t child = fork();
     if (child == 0) {
-        failFrom(kind, n, error, times);
+        if (kind == Calls::system)
+            becomeTraced();
+        else
+            failFrom(kind, n, error, times);
         workAndEnd(work, messages[1], calls[1]);
     }
     close(messages[1]);
     close(calls[1]);
     Attempt result;
+    int status = 0;
+    const unsigned systemCalls = kind == Calls::system ? killAt(n, child, status) : 0;
     result.call = n;
     result.message = contentOf(messages[0]);
     const std::string seen = contentOf(calls[0]);
-    if (!seen.empty()) result.calls = static_cast<unsigned>(std::stoul(seen));
-    int status = 0;
-    waitpid(child, &status, 0);
+    if (kind == Calls::system) {
+        result.calls = systemCalls;
+    } else {
+        if (!seen.empty()) result.calls = static_cast<unsigned>(std::stoul(seen));
+        waitpid(child, &status, 0);
+    }
     if (WIFEXITED(status)) result.exitCode = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
     return result;

@@ -17,6 +17,9 @@ struct Attempt
     unsigned calls = 0;   //!< of that kind there were; 0 if a signal ended it
 };
 
+/** Whether this machine lets a process trace its children, as Calls::system needs. */
+bool canTrace();
+
 /** Does work that calls fail in. The process that tries must have no threads. */
 Attempt attempt(Calls kind, unsigned n, int error, unsigned times,
                 const std::function<void()>& work);

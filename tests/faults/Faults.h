@@ -13,7 +13,8 @@ enum class Calls
     sync,    //!< fsync, syncfs
     name,    //!< rename, unlink, mkdir, rmdir, symlink
     memory,  //!< malloc, calloc, realloc, aligned allocations
-    change   //!< all that changes files: write, sync, name
+    change,  //!< all that changes files: write, sync, name
+    system   //!< every system call: the process can only be killed there, by a tracer
 };
 
 constexpr int KILL = -1;  //!< instead of an errno: the process is killed before the call

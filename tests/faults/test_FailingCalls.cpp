@@ -10,10 +10,14 @@
 #include "voxeland/disambiguation/AnswerJournal.h"
 #include "voxeland/disambiguation/Revision.h"
 #include "voxeland/io/GlbFile.h"
+#include "voxeland/io/HeightSlice.h"
+#include "voxeland/io/InstancesCsv.h"
 #include "voxeland/io/InstancesJson.h"
 #include "voxeland/io/MapPly.h"
 #include "voxeland/io/MapScene.h"
+#include "voxeland/io/MapViews.h"
 #include "voxeland/io/OctoMapFile.h"
+#include "voxeland/io/PointsFile.h"
 #include "voxeland/io/UpDirection.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
@@ -33,6 +37,8 @@ namespace fs = std::filesystem;
 
 namespace
 {
+constexpr unsigned EVERY = 1000;  // attempts, where there are fewer calls
+
 /** All files below a folder, with their content. */
 using Content = std::map<std::string, std::string>;
 
@@ -155,6 +161,26 @@ class FailingCalls : public testing::Test
         });
     }
 
+    /** Killed before any system call. What follows succeeds, and cleans up. */
+    void checkKilled(const std::function<void()>& work, unsigned most)
+    {
+        m_outputs.reset();
+        work();
+        m_outputs.rememberNew();
+        m_outputs.reset();
+        unsigned killed = 0;
+        attemptAll(Calls::system, KILL, ONCE, most, work, [&](const Attempt& end) {
+            SCOPED_TRACE("system call " + std::to_string(end.call) + " " + end.message);
+            EXPECT_TRUE(end.signal == SIGKILL || end.exitCode == 0) << end.exitCode;
+            killed += end.signal == SIGKILL ? 1 : 0;
+            m_outputs.check(end.exitCode == 0, true);
+            work();
+            m_outputs.check(true, false);
+            m_outputs.reset();
+        });
+        EXPECT_GT(killed, 15U);
+    }
+
     /** Calls that have to do with files. \param most attempts of each way to fail */
     void checkFiles(const std::function<void()>& work, unsigned most = 40)
     {
@@ -214,27 +240,74 @@ TEST_F(FailingCalls, LoadingAndSaving)
     checkAll([this] { saveMap(*loadMap(m_map), m_outputs.file("a.voxeland")); });
 }
 
-TEST_F(FailingCalls, Exporting)
+#define SKIP_UNLESS_TRACING() \
+    if (!canTrace()) GTEST_SKIP() << "processes cannot be traced here"
+
+TEST_F(FailingCalls, SavingIsKilled)
 {
+    SKIP_UNLESS_TRACING();
+    const auto map = loadMap(m_map);
+    checkKilled([&] { saveMap(*map, m_outputs.file("a.voxeland")); }, EVERY);
+}
+
+/** Every format, in a file or folder of its own. */
+class FailingExports : public FailingCalls
+{
+ protected:
+    void SetUp() override
+    {
+        FailingCalls::SetUp();
+        mapTo(m_map, "0.2");
+    }
+
+    void exportAllFormats(const SemanticVoxelMap& map) const
+    {
+        const LevelFrame frame(estimateUp(map));
+        const auto file = [&](const char* name) { return m_outputs.file(name); };
+        exportPly(map, file("a.ply"));
+        exportJson(map, frame, file("a.json"));
+        exportCsv(map, frame, file("a.csv"));
+        exportGlb(map, frame, file("a.glb"));
+        exportScene(map, frame, file("a.3Dscene"));
+        exportOctoMap(map, file("a.bt"));
+        WrittenFiles written;
+        const HeightSlice slice = sliceOf(map, frame, {-1, 3});
+        exportGridmap(slice, file("a.gridmap"));
+        exportRosMap(slice, file("a.yaml"), written);
+        exportPoints(map, {}, file("a.txt"));
+    }
+};
+
+TEST_F(FailingExports, EndInASentence)
+{
+    checkAll([this] { exportAllFormats(loadMap(m_map)->map()); }, 10);
+}
+
+TEST_F(FailingExports, OfPicturesEndInASentence)
+{
+    const auto map = loadMap(m_map);
     checkAll(
-        [this] {
-            const auto loaded = loadMap(m_map);
-            const SemanticVoxelMap& map = loaded->map();
-            const LevelFrame frame(estimateUp(map));
-            exportPly(map, m_outputs.file("a.ply"));
-            exportJson(map, frame, m_outputs.file("a.json"));
-            exportGlb(map, frame, m_outputs.file("a.glb"));
-            exportScene(map, frame, m_outputs.file("a.3Dscene"));
-            exportOctoMap(map, m_outputs.file("a.bt"));
+        [&] {
+            WrittenFiles written;
+            exportViews(map->map(), m_outputs.path(), written, {});
         },
-        10);
+        2);
+}
+
+TEST_F(FailingExports, AreKilled)
+{
+    SKIP_UNLESS_TRACING();
+    const auto map = loadMap(m_map);
+    checkKilled([&] { exportAllFormats(map->map()); }, 100);
 }
 
 /** An answer about each object, kept until the map is written. */
-TEST_F(FailingCalls, Asking)
+class FailingAnswers : public FailingCalls
 {
-    const std::string output = m_outputs.file("a.voxeland");
-    const auto ask = [&] {
+ protected:
+    void ask() const
+    {
+        const std::string output = m_outputs.file("a.voxeland");
         const auto map = loadMap(m_map);
         const Revision revision(map->map(), "Backend");
         AnswerJournal journal(output, m_map, "Backend");
@@ -251,10 +324,16 @@ TEST_F(FailingCalls, Asking)
         }
         saveMap(*map, output);
         journal.discard();
-    };
-    checkAll(ask);
-    attemptAll(Calls::change, KILL, ONCE, 40, ask, [&](const Attempt&) {
-        ask();
-        m_outputs.check(true, false);
-    });
+    }
+};
+
+TEST_F(FailingAnswers, EndInASentence)
+{
+    checkAll([this] { ask(); });
+}
+
+TEST_F(FailingAnswers, AreKilled)
+{
+    SKIP_UNLESS_TRACING();
+    checkKilled([this] { ask(); }, EVERY);
 }

@@ -98,12 +98,16 @@ TEST(AtomicFile, whatAKilledWriterLeftIsRemovedByTheNext)
     waitpid(child, nullptr, 0);
     ASSERT_EQ(filesIn(folder.path()), 1U);
     test::writeFile(folder.file("a.notes.part"), "of somebody else");
+    test::writeFile(folder.file("a.download.part"), "of a browser");
+    test::writeFile(folder.file("a.part"), "of an earlier version, or of a browser");
     checkWritable(folder.file("a"));
-    EXPECT_EQ(filesIn(folder.path()), 2U) << "checking touches nothing";
+    EXPECT_EQ(filesIn(folder.path()), 4U) << "checking touches nothing";
     writeText(folder.file("a"), "whole");
-    EXPECT_EQ(filesIn(folder.path()), 2U);
+    EXPECT_EQ(filesIn(folder.path()), 4U);
     EXPECT_EQ(test::readFile(folder.file("a")), "whole");
     EXPECT_EQ(test::readFile(folder.file("a.notes.part")), "of somebody else");
+    EXPECT_EQ(test::readFile(folder.file("a.download.part")), "of a browser");
+    EXPECT_TRUE(std::filesystem::exists(folder.file("a.part")));
 }
 
 TEST(AtomicFile, othersMayReadWhatIsWritten)

@@ -122,7 +122,10 @@ TEST(HeightSlice, mrptReadsTheRosMap)
     const TemporaryFolder folder;
     SemanticVoxelMap map = levelHall();
     test::addVoxel(map, {-3, -2, 3}, {{UNKNOWN_INSTANCE, 1}});
-    exportRosMap(sliceOf(map, LevelFrame(), BODY), folder.file("h.yaml"));
+    WrittenFiles written;
+    exportRosMap(sliceOf(map, LevelFrame(), BODY), folder.file("h.yaml"), written);
+    EXPECT_EQ(written.names(),
+              std::vector<std::string>({folder.file("h.pgm"), folder.file("h.yaml")}));
     COccupancyGridMap2D grid;
     ASSERT_TRUE(grid.loadFromROSMapServerYAML(folder.file("h.yaml")));
     EXPECT_EQ(grid.getSizeX(), 11U);
@@ -132,12 +135,18 @@ TEST(HeightSlice, mrptReadsTheRosMap)
     EXPECT_LT(grid.getPos(0.25F, 0.55F), 0.2F);
     EXPECT_GT(grid.getPos(0.25F, 0.45F), 0.8F);
     EXPECT_NEAR(grid.getPos(-0.15F, 0.45F), 0.5, 0.35);
-    EXPECT_THROW(exportRosMap(HeightSlice(), folder.file("h.yml")), ConfigurationError);
+    EXPECT_THROW(exportRosMap(HeightSlice(), folder.file("h.yml"), written), ConfigurationError);
 }
 
 TEST(HeightSlice, unwritable)
 {
     const HeightSlice slice = sliceOf(levelHall(), LevelFrame(), BODY);
     EXPECT_THROW(exportGridmap(slice, "/no/such/folder/h.gridmap"), OutputError);
-    EXPECT_THROW(exportRosMap(slice, "/no/such/folder/h.yaml"), OutputError);
+    WrittenFiles written;
+    EXPECT_THROW(exportRosMap(slice, "/no/such/folder/h.yaml", written), OutputError);
+    EXPECT_TRUE(written.names().empty());
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.file("h.yaml"));
+    EXPECT_THROW(exportRosMap(slice, folder.file("h.yaml"), written), OutputError);
+    EXPECT_EQ(written.names(), std::vector<std::string>{folder.file("h.pgm")});
 }

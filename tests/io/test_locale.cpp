@@ -44,7 +44,7 @@ void writeAll(const fs::path& folder)
     exportGlb(map, frame, file("map.glb"));
     exportScene(map, frame, file("map.3Dscene"));
     exportOctoMap(map, file("map.bt"));
-    exportRosMap(sliceOf(map, frame, {}), file("slice.yaml"));
+    exportRosMap(sliceOf(map, frame, {}), file("slice.yaml"), written);
     MappingCounts counts;
     counts.frames = 1234;
     writeFile(file("overview.txt"), asText(overviewOf(map, counts)));

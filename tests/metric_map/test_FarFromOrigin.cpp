@@ -149,7 +149,8 @@ TEST(FarFromOrigin, filesKeepTheirDigitsOrAreRefused)
     EXPECT_NEAR(std::remainder(y - 0.025, 0.05), 0, 1e-6) << "the centre of a voxel";
 
     const HeightSlice local = sliceOf(map, LevelFrame(), {-2, 2}), slice = inWorld(local, map);
-    exportRosMap(slice, folder.file("far.yaml"));
+    WrittenFiles written;
+    exportRosMap(slice, folder.file("far.yaml"), written);
     const std::string yaml = test::readFile(folder.file("far.yaml"));
     const double x = std::stod(yaml.substr(yaml.find("origin: [") + 9));
     EXPECT_NEAR(x, local.minX + map.origin().x, 1e-9);

@@ -136,7 +136,7 @@ std::string rosImageOf(const std::string& yamlFile)
     return fs::path(yaml).replace_extension(".pgm").string();
 }
 
-void exportRosMap(const HeightSlice& slice, const std::string& yamlFile)
+void exportRosMap(const HeightSlice& slice, const std::string& yamlFile, WrittenFiles& written)
 {
     const std::string image = rosImageOf(yamlFile);
     writeAtomically(image, [&](std::ostream& out) {
@@ -148,11 +148,13 @@ void exportRosMap(const HeightSlice& slice, const std::string& yamlFile)
                 out.put(static_cast<char>(p > 0.5F ? OCCUPIED : p < 0.5F ? FREE : UNKNOWN));
             }
     });
+    written.add(image);
     writeAtomically(yamlFile, [&](std::ostream& out) {
         out << "image: " << fs::path(image).filename().string()
             << "\nresolution: " << numberText(slice.resolution) << "\norigin: ["
             << metresText(slice.minX) << ", " << metresText(slice.minY) << ", 0.0]"
             << "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
     });
+    written.add(yamlFile);
 }
 }  // namespace voxeland

@@ -7,10 +7,10 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <random>
+#include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -22,6 +22,8 @@ namespace voxeland
 namespace
 {
 constexpr size_t RANDOM_CHARACTERS = 8;
+constexpr std::string_view LETTERS =
+    "bcdfghjkmnpqrstvwxz";  // words, of people's own files, have vowels
 constexpr auto EXTENSION = ".part";
 
 std::string folderOf(const std::string& file)
@@ -33,9 +35,8 @@ std::string folderOf(const std::string& file)
 /** A name of its own for each writer, beside the target. */
 std::string newPartOf(const std::string& target)
 {
-    constexpr char LETTERS[] = "abcdefghijklmnopqrstuvwxyz";
     std::random_device random;
-    std::uniform_int_distribution<size_t> any(0, sizeof(LETTERS) - 2);
+    std::uniform_int_distribution<size_t> any(0, LETTERS.size() - 1);
     std::string name = target + ".";
     for (size_t i = 0; i < RANDOM_CHARACTERS; ++i) name += LETTERS[any(random)];
     return name + EXTENSION;
@@ -44,9 +45,10 @@ std::string newPartOf(const std::string& target)
 /** Whether a file is named as newPartOf() names those of a target. */
 bool isPartOf(const std::string& name, const std::string& target)
 {
-    const size_t length = target.size() + 1 + RANDOM_CHARACTERS + std::strlen(EXTENSION);
-    return name.size() == length && name.compare(0, target.size() + 1, target + ".") == 0 &&
-           fs::path(name).extension() == EXTENSION;
+    const size_t begin = target.size() + 1, end = begin + RANDOM_CHARACTERS;
+    return name.size() > end && name.compare(0, begin, target + ".") == 0 &&
+           name.find_first_not_of(LETTERS, begin) == end &&
+           name.compare(end, std::string::npos, EXTENSION) == 0;
 }
 
 /** Removes a part, file or folder. */

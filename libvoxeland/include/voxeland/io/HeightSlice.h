@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/io/LevelFrame.h"
+#include "voxeland/io/WrittenFiles.h"
 
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ std::string rosImageOf(const std::string& yamlFile);
 
 /** Writes a slice for ROS's map_server: a YAML file, and its image, rosImageOf().
  *  Cells likelier occupied than free are black, the others white, those never observed grey.
+ *  \param written the two are added to it as they are completed: the image first
  *  \throws ConfigurationError for another ending, OutputError if a file cannot be written */
-void exportRosMap(const HeightSlice& slice, const std::string& yamlFile);
+void exportRosMap(const HeightSlice& slice, const std::string& yamlFile, WrittenFiles& written);
 }  // namespace voxeland

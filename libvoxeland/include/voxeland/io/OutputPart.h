@@ -6,7 +6,8 @@ namespace voxeland
 {
 /** A new, empty file or folder under a temporary name beside its target, to be written and moved
  * to its place. Each has a name of its own and is locked as long as the object lives; parts of
- * writers that were killed are removed by the next one. */
+ * writers that were killed are removed by the next one of the same target: they are known by their
+ * name, TARGET.xxxxxxxx.part with eight consonants, and by the lock that nobody holds. */
 class OutputPart
 {
  public:
