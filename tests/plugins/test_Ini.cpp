@@ -147,3 +147,17 @@ TEST(Ini, ControlCharactersAreRefused)
     EXPECT_THROW(Ini().set("map.x=a\n[converter]"), ConfigurationError);
     EXPECT_NO_THROW(Ini::fromText("[map]\n\tx = 1\t// one\r\n", "a text"));
 }
+
+TEST(Ini, KeyGivenTwiceInOneSectionIsRefusedWithBothLines)
+{
+    const std::string once =
+        "[map]\nresolution = 0.05\n; resolution = 0.1\n[mapper]\nresolution = 1\n";
+    EXPECT_EQ(Ini::fromText(once, "my.ini").value("map", "resolution"), "0.05");
+    try {
+        Ini::fromText(once + "[ MAP ]\n Resolution=0.02\n", "my.ini");
+        FAIL() << "the last one would have won";
+    } catch (const ConfigurationError& e) {
+        EXPECT_STREQ(e.what(),
+                     "line 7 of 'my.ini' gives [MAP] Resolution again: line 2 does too; keep one");
+    }
+}

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -35,12 +36,25 @@ bool holdsControls(const std::string& text)
     });
 }
 
-/** MRPT's parser passes over what it does not understand; this does not. */
+using Identity = std::pair<std::string, std::string>;
+
+/** What identifies a key: MRPT makes no difference between large and small letters. */
+Identity identity(std::string section, std::string key)
+{
+    for (std::string* text : {&section, &key})
+        std::transform(text->begin(), text->end(), text->begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return {section, key};
+}
+/** MRPT's parser passes over what it does not understand, and over all but the last of values for
+ * one key; this does not. */
 void checkLines(const std::string& text, const std::string& origin)
 {
     std::istringstream in(text);
     bool continued = false;
     size_t number = 0;
+    std::string section;
+    std::map<Identity, size_t> lines;
     for (std::string line; std::getline(in, line);) {
         ++number;
         if (holdsControls(line))
@@ -49,11 +63,19 @@ void checkLines(const std::string& text, const std::string& origin)
         const std::string words = trimmed(line);
         const bool follows = std::exchange(continued, !words.empty() && words.back() == '\\');
         if (words.empty() || follows) continue;
+        if (words[0] == '[') section = trimmed(words.substr(1, words.find(']') - 1));
         const bool special = std::string("#;[@").find(words[0]) != std::string::npos;
         if (special || words.compare(0, 2, "//") == 0) continue;
-        if (line.find('=') == std::string::npos)
+        const size_t equals = line.find('=');
+        if (equals == std::string::npos)
             throw ConfigurationError("line " + std::to_string(number) + " of '" + origin +
                                      "' is neither '[section]' nor 'key = value'");
+        const std::string key = trimmed(line.substr(0, equals));
+        const auto [known, isNew] = lines.emplace(identity(section, key), number);
+        if (!isNew)
+            throw ConfigurationError("line " + std::to_string(number) + " of '" + origin +
+                                     "' gives [" + section + "] " + key + " again: line " +
+                                     std::to_string(known->second) + " does too; keep one");
     }
 }
 
@@ -114,15 +136,6 @@ std::string withoutDirectives(const std::string& text)
     for (std::string line; std::getline(in, line);)
         if (trimmed(line).compare(0, 1, "@") != 0) data += line + "\n";
     return data;
-}
-
-/** What identifies a key: MRPT makes no difference between large and small letters. */
-std::pair<std::string, std::string> identity(std::string section, std::string key)
-{
-    for (std::string* text : {&section, &key})
-        std::transform(text->begin(), text->end(), text->begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return {section, key};
 }
 }  // namespace
 
