@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkFrames.h"
 
-#include "voxeland/datasets/MatchedPredictions.h"
-#include "voxeland/datasets/SevenScenesReader.h"
+#include "datasets/MatchedPredictions.h"
+#include "datasets/SevenScenesReader.h"
 #include "voxeland/simulation/Simulator.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>

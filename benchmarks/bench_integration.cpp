@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** From a frame to evidence in the map: rays, occupancy, geometry, categories. */
 #include "BenchmarkFrames.h"
-#include "voxeland/pipeline/Integration.h"
+#include "pipeline/Integration.h"
 
 #include <benchmark/benchmark.h>
 

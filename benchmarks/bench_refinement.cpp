@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** What a refinement costs in one room, and in the last of many: it must be the same. */
 #include "BenchmarkFrames.h"
+#include "pipeline/Refinement.h"
 #include "support/Rooms.h"
-#include "voxeland/pipeline/Refinement.h"
 
 #include <benchmark/benchmark.h>
 

@@ -49,6 +49,7 @@ function(voxeland_library target)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/libvoxeland/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_include_directories(${target} PRIVATE "${CMAKE_SOURCE_DIR}/libvoxeland/src")
   target_compile_features(${target} PUBLIC cxx_std_17)
   # The same map on every processor: none fuses a multiplication with an addition.
   target_compile_options(${target} PRIVATE -ffp-contract=off)

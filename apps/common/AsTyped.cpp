@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/AsTyped.h"
 
-#include "voxeland/joined.h"
-#include "voxeland/printable.h"
+#include "voxeland/base/joined.h"
+#include "voxeland/base/printable.h"
 
 #include <cstdint>
 #include <cstdio>

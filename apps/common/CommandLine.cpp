@@ -3,11 +3,11 @@
 
 #include "common/AsTyped.h"
 #include "common/Interruption.h"
-#include "voxeland/RefusedMemory.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/joined.h"
-#include "voxeland/printable.h"
+#include "voxeland/base/RefusedMemory.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
+#include "voxeland/base/printable.h"
+#include "voxeland/files/AtomicFile.h"
 
 #include <mrpt/core/exceptions.h>
 

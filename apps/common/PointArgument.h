@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/io/LevelFrame.h"
+#include "voxeland/level/LevelFrame.h"
 
 #include <mrpt/math/TPoint3D.h>
 

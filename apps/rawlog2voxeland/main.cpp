@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Makes a semantic voxel map from a rawlog. */
+#include "answers/AnswersAsText.h"
 #include "common/CommandLine.h"
 #include "common/Interruption.h"
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "common/TrustPathsArgument.h"
-#include "voxeland/counted.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/AnswersAsText.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/io/ExportAll.h"
+#include "pipeline/MappingTrace.h"
+#include "pipeline/TimingLog.h"
+#include "plugins/PluginLoader.h"
+#include "rawlogs/RawlogFiles.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/exporters/ExportAll.h"
+#include "voxeland/files/AtomicFile.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
-#include "voxeland/numbers.h"
-#include "voxeland/pipeline/MappingTrace.h"
-#include "voxeland/pipeline/TimingLog.h"
-#include "voxeland/plugins/PluginLoader.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Says how good maps are, and how well they know it, given ground truth. */
 #include "common/CommandLine.h"
-#include "voxeland/errors.h"
+#include "evaluation/EvaluationReport.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
 #include "voxeland/evaluation/Comparison.h"
-#include "voxeland/evaluation/EvaluationReport.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/joined.h"
+#include "voxeland/files/AtomicFile.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 

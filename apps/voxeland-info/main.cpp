@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Tells what a map holds. */
+#include "answers/AnswersAsText.h"
+#include "answers/InstanceExplanation.h"
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/AnswersAsText.h"
-#include "voxeland/io/CategorySearch.h"
-#include "voxeland/io/InstanceExplanation.h"
-#include "voxeland/io/MapAnswers.h"
-#include "voxeland/io/Reobservation.h"
-#include "voxeland/io/SmallInstances.h"
-#include "voxeland/io/UpDirection.h"
+#include "planning/Reobservation.h"
+#include "voxeland/answers/CategorySearch.h"
+#include "voxeland/answers/MapAnswers.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/level/UpDirection.h"
+#include "voxeland/map/SmallInstances.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 

@@ -2,15 +2,15 @@
 /** Writes a page that shows a map. */
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
+#include "evaluation/EvaluationReport.h"
+#include "pipeline/TimingLog.h"
+#include "report/MapReport.h"
+#include "voxeland/base/printable.h"
 #include "voxeland/evaluation/Comparison.h"
-#include "voxeland/evaluation/EvaluationReport.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/io/SmallInstances.h"
+#include "voxeland/files/AtomicFile.h"
+#include "voxeland/map/SmallInstances.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
-#include "voxeland/pipeline/TimingLog.h"
-#include "voxeland/printable.h"
-#include "voxeland/report/MapReport.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RawlogEntries.h"
 
-#include "voxeland/rawlogs/ImagePaths.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
+#include "rawlogs/ImagePaths.h"
+#include "rawlogs/RawlogFiles.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/io/GzInputFile.h"
+#include "files/GzInputFile.h"
 #include "voxeland/rawlogs/PredictionSidecar.h"
 
 #include <mrpt/obs/CActionCollection.h>

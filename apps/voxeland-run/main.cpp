@@ -3,10 +3,10 @@
 #include "RawlogEntries.h"
 #include "common/CommandLine.h"
 #include "common/TrustPathsArgument.h"
-#include "voxeland/errors.h"
+#include "plugins/PluginLoader.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/files/InputFile.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
-#include "voxeland/plugins/PluginLoader.h"
 
 #include <mrpt/apps/ICP_SLAM_App.h>
 #include <mrpt/apps/MonteCarloLocalization_App.h>

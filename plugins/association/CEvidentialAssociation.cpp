@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CEvidentialAssociation.h"
 
-#include "voxeland/RegisteredClass.h"
+#include "voxeland/base/RegisteredClass.h"
 
 #include <algorithm>
 

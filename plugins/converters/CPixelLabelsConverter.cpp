@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CPixelLabelsConverter.h"
 
-#include "voxeland/RegisteredClass.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/RegisteredClass.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/plugins/ClusteringKeys.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>

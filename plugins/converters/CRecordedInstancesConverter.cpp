@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CRecordedInstancesConverter.h"
 
-#include "voxeland/RegisteredClass.h"
+#include "voxeland/base/RegisteredClass.h"
 #include "voxeland/plugins/ClusteringKeys.h"
 
 namespace voxeland

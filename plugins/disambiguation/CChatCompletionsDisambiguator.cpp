@@ -2,8 +2,8 @@
 #include "CChatCompletionsDisambiguator.h"
 
 #include "ServerUrl.h"
-#include "voxeland/RegisteredClass.h"
-#include "voxeland/counted.h"
+#include "voxeland/base/RegisteredClass.h"
+#include "voxeland/base/counted.h"
 #include "voxeland/files/Json.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include "CReplayDisambiguator.h"
 
 #include "QuestionFolder.h"
-#include "voxeland/RegisteredClass.h"
-#include "voxeland/io/OutputFolder.h"
+#include "voxeland/base/RegisteredClass.h"
+#include "voxeland/files/OutputFolder.h"
 #include "voxeland/pipeline/MapperConfig.h"
 
 namespace voxeland

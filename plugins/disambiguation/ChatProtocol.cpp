@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChatProtocol.h"
 
+#include "voxeland/base/trimmed.h"
 #include "voxeland/disambiguation/Thoughts.h"
 #include "voxeland/files/Json.h"
-#include "voxeland/trimmed.h"
 
 #include <mrpt/system/string_utils.h>
 

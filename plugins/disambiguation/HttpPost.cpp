@@ -2,8 +2,8 @@
 #include "HttpPost.h"
 
 #include "ServerUrl.h"
-#include "voxeland/numbers.h"
-#include "voxeland/trimmed.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/trimmed.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QuestionFolder.h"
 
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/printable.h"
+#include "voxeland/base/trimmed.h"
+#include "voxeland/files/AtomicFile.h"
 #include "voxeland/files/Json.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/io/OutputFolder.h"
-#include "voxeland/printable.h"
-#include "voxeland/trimmed.h"
+#include "voxeland/files/OutputFolder.h"
 
 #include <fstream>
 #include <sstream>

@@ -5,15 +5,15 @@
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "common/TrustPathsArgument.h"
-#include "voxeland/counted.h"
-#include "voxeland/datasets/RawlogPredictions.h"
-#include "voxeland/datasets/UnfinishedPredictions.h"
-#include "voxeland/errors.h"
+#include "datasets/RawlogPredictions.h"
+#include "datasets/UnfinishedPredictions.h"
+#include "rawlogs/ImagePaths.h"
+#include "rawlogs/RawlogFiles.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/printable.h"
 #include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/pipeline/MapperConfig.h"
-#include "voxeland/printable.h"
-#include "voxeland/rawlogs/ImagePaths.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <filesystem>
 #include <iostream>

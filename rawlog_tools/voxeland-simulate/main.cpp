@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/CommandLine.h"
 #include "common/Progress.h"
-#include "voxeland/counted.h"
-#include "voxeland/errors.h"
-#include "voxeland/printable.h"
-#include "voxeland/simulation/SimulationRun.h"
+#include "simulation/SimulationRun.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/printable.h"
 
 #include <algorithm>
 #include <iostream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A plugin: an opinion belongs to the instance with which it has most voxels in common.
 
-#include <voxeland/RegisteredClass.h>
+#include <voxeland/base/RegisteredClass.h>
 #include <voxeland/plugins/CAssociationPolicy.h>
 
 namespace example

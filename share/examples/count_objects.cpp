@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program: how many objects a map holds.
-#include <voxeland/io/MapAnswers.h>
+#include <voxeland/answers/MapAnswers.h>
 #include <voxeland/metric_map/CVoxelandMap.h>
 #include <voxeland/metric_map/MapFile.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // "Go to the nearest couch": a path by MRPT's planner, in the frame of exported gridmaps.
-#include <voxeland/io/CategorySearch.h>
-#include <voxeland/io/DrivableFloor.h>
-#include <voxeland/io/MapAnswers.h>
-#include <voxeland/io/SmallInstances.h>
-#include <voxeland/io/UpDirection.h>
+#include <voxeland/answers/CategorySearch.h>
+#include <voxeland/answers/MapAnswers.h>
+#include <voxeland/level/UpDirection.h>
+#include <voxeland/map/SmallInstances.h>
 #include <voxeland/metric_map/CVoxelandMap.h>
 #include <voxeland/metric_map/MapFile.h>
+#include <voxeland/planning/DrivableFloor.h>
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/nav/planners/PlannerSimple2D.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** rawlog2voxeland as a user runs it: what it makes, and how it fails. */
+#include "files/GzInputFile.h"
 #include "support/RunProgram.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
-#include "voxeland/io/GzInputFile.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The program rgbd2rawlog, run as a user does. */
+#include "files/GzInputFile.h"
 #include "support/RunProgram.h"
 #include "support/SevenScenes.h"
 #include "support/TestFiles.h"
-#include "voxeland/io/GzInputFile.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

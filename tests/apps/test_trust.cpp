@@ -5,7 +5,7 @@
 #include "support/StoredConfiguration.h"
 #include "support/TestFiles.h"
 #include "support/VisionServer.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 
@@ -99,8 +99,9 @@ std::string complaint(const std::function<void()>& action)
 TEST_F(Trust, AMapDoesNotNameALibrary)
 {
     setenv("VOXELAND_PLUGIN_PATH", MODULES.c_str(), 1);
-    for (const std::string& library : {MODULES + "/marking_plugin.so", std::string("marking_plugin"),
-                                      fs::relative(MODULES).string() + "/marking_plugin.so"})
+    for (const std::string& library :
+         {MODULES + "/marking_plugin.so", std::string("marking_plugin"),
+          fs::relative(MODULES).string() + "/marking_plugin.so"})
     {
         const std::string own = "plugin = " + library + "\nclass = CTestAssociation\n";
         forge("[association]\n" + own);

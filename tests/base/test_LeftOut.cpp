@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/LeftOut.h"
+#include "voxeland/base/LeftOut.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../libvoxeland/src/base/Reading.h"
+#include "base/Reading.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>

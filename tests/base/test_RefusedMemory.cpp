@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/LeftOut.h"
-#include "voxeland/RefusedMemory.h"
+#include "voxeland/base/LeftOut.h"
+#include "voxeland/base/RefusedMemory.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <gtest/gtest.h>

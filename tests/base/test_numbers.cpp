@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/numbers.h"
+#include "voxeland/base/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/printable.h"
+#include "voxeland/base/printable.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 /** Ground truth as ScanNet and SceneNN publish it. */
 #include "support/ScanNetScene.h"
 #include "support/TestFiles.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/GroundTruth.h"
-#include "voxeland/errors.h"
 
 #include <gtest/gtest.h>
 

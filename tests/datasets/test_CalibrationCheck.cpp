@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/CalibrationCheck.h"
+#include "datasets/SevenScenesReader.h"
 #include "support/Room.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/CalibrationCheck.h"
-#include "voxeland/datasets/SevenScenesReader.h"
 
 #include <gtest/gtest.h>
 

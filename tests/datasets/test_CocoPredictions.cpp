@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/MatchedPredictions.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/MatchedPredictions.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

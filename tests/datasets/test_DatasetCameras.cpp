@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/DatasetCameras.h"
-#include "voxeland/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/ImageMatching.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
-#include "voxeland/errors.h"
 
 #include <gtest/gtest.h>
 

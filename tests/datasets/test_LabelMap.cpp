@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/TestFiles.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/LabelMap.h"
-#include "voxeland/errors.h"
 
 #include <gtest/gtest.h>
 

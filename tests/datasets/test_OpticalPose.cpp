@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/OpticalPose.h"
+#include "datasets/OpticalPose.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/poses/CPose3D.h>

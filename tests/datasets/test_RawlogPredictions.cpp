@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/RawlogPredictions.h"
+#include "files/GzInputFile.h"
+#include "files/GzOutputFile.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/RawlogPredictions.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/io/GzOutputFile.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CActionCollection.h>

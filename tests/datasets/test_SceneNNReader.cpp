@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/SceneNNReader.h"
 #include "support/Room.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/SceneNNReader.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

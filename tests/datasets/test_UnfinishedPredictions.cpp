@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/UnfinishedPredictions.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/UnfinishedPredictions.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

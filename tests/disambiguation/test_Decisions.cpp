@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UncertainMap.h"
+#include "disambiguation/Decisions.h"
 #include "support/MapBytes.h"
-#include "voxeland/disambiguation/Decisions.h"
 #include "voxeland/map/MapQueries.h"
 
 #include <gtest/gtest.h>

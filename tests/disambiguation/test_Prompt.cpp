@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "disambiguation/Prompt.h"
 #include "support/TestFiles.h"
-#include "voxeland/disambiguation/Prompt.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 

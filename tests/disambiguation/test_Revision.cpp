@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UncertainMap.h"
-#include "voxeland/disambiguation/Decisions.h"
-#include "voxeland/disambiguation/Revision.h"
+#include "disambiguation/Decisions.h"
+#include "disambiguation/Revision.h"
 
 #include <gtest/gtest.h>
 

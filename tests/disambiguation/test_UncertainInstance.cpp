@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UncertainMap.h"
-#include "voxeland/disambiguation/UncertainInstance.h"
+#include "disambiguation/UncertainInstance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/ViewChoice.h"
+#include "disambiguation/ViewChoice.h"
 
 #include <gtest/gtest.h>
 

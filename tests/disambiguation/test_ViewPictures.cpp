@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "disambiguation/ViewPictures.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
-#include "voxeland/disambiguation/ViewPictures.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneBuilder.h"
-#include "voxeland/evaluation/AveragePrecision.h"
+#include "evaluation/AveragePrecision.h"
 
 #include <gtest/gtest.h>
 

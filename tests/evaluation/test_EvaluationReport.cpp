@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneBuilder.h"
-#include "voxeland/errors.h"
-#include "voxeland/evaluation/EvaluationReport.h"
+#include "evaluation/EvaluationReport.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

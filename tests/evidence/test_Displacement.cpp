@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The closed form against its integral, and against points that are really displaced. */
-#include "voxeland/evidence/Displacement.h"
+#include "evidence/Displacement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evidence/JensenShannon.h"
+#include "evidence/JensenShannon.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Attempts.h"
+#include "datasets/RawlogPredictions.h"
 #include "support/Frames.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/RawlogPredictions.h"
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 #include "voxeland/rawlogs/RgbdRawlogWriter.h"
 

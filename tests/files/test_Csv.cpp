@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/errors.h"
-#include "voxeland/files/Csv.h"
+#include "files/Csv.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 

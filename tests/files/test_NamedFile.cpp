@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "files/NamedFile.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
-#include "voxeland/files/NamedFile.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 

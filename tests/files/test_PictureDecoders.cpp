@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** What OpenCV makes of damaged pictures where this library is loaded. */
-#include "../../libvoxeland/src/files/PictureDecoders.h"
+#include "files/PictureDecoders.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Predictions in COCO's format. */
 #include "Reading.h"
-#include "voxeland/datasets/MatchedPredictions.h"
+#include "datasets/MatchedPredictions.h"
 
 using namespace voxeland;
 

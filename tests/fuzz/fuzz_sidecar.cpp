@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Predictions beside a rawlog, mapped with it. */
 #include "Reading.h"
+#include "rawlogs/RawlogFiles.h"
 #include "support/SmallRawlog.h"
 #include "voxeland/metric_map/RawlogMapping.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
 
 using namespace voxeland;
 

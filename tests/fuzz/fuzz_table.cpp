@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Tables: categories, labels, times. */
 #include "Reading.h"
+#include "pipeline/TimingLog.h"
 #include "voxeland/datasets/CategoryNames.h"
 #include "voxeland/datasets/LabelMap.h"
-#include "voxeland/pipeline/TimingLog.h"
 
 using namespace voxeland;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Trajectories in TUM's format. */
 #include "Reading.h"
-#include "voxeland/observations/Trajectory.h"
+#include "observations/Trajectory.h"
 
 using namespace voxeland;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Writes small files of the binary formats, for fuzzers to begin with: `make_seeds FOLDER`. */
 #include "plugins/dnn/SmallOnnx.h"
+#include "rawlogs/RawlogFiles.h"
 #include "support/MapBytes.h"
 #include "support/ScanNetScene.h"
 #include "support/SmallRawlog.h"
@@ -8,7 +9,6 @@
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <zlib.h>
 

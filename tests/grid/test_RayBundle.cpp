@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/grid/RayBundle.h"
+#include "grid/RayBundle.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/math/TPoint3D.h>

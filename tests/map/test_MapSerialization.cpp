@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapBuilding.h"
 #include "support/MapBytes.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Whatever numbers come in: a map that was written can be read. */
+#include "disambiguation/Decisions.h"
 #include "support/MapBytes.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
-#include "voxeland/disambiguation/Decisions.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The same frames near the origin of the world and at coordinates as of UTM. */
+#include "exporters/GlbFile.h"
+#include "exporters/MapPly.h"
+#include "exporters/MapScene.h"
+#include "exporters/OctoMapFile.h"
+#include "exporters/PointsFile.h"
+#include "level/HeightSlice.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/GlbFile.h"
-#include "voxeland/io/HeightSlice.h"
-#include "voxeland/io/MapAnswers.h"
-#include "voxeland/io/MapPly.h"
-#include "voxeland/io/MapScene.h"
-#include "voxeland/io/OctoMapFile.h"
-#include "voxeland/io/PointsFile.h"
+#include "voxeland/answers/MapAnswers.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/RawlogMapping.h"
 

@@ -2,7 +2,7 @@
 #include "support/Frames.h"
 #include "support/HandMadeMap.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 /** Frames of a rawlog that cannot be mapped. */
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/metric_map/RawlogMapping.h"
 
 #include <gtest/gtest.h>

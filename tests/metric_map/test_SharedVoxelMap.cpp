@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "metric_map/PointsSlice.h"
 #include "support/HandMadeMap.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
-#include "voxeland/metric_map/PointsSlice.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/maps/CSimplePointsMap.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulatedRobot.h"
 
+#include "files/GzInputFile.h"
+#include "files/GzOutputFile.h"
 #include "support/MapBytes.h"
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/io/GzOutputFile.h"
 #include "voxeland/metric_map/MapFile.h"
 
 #include <mrpt/maps/CSimpleMap.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** What voxeland-run gives MRPT's applications of a rawlog with a sidecar. */
+#include "files/GzOutputFile.h"
+#include "rawlogs/RawlogFiles.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
 #include "voxeland-run/RawlogEntries.h"
-#include "voxeland/io/GzOutputFile.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <gtest/gtest.h>
 

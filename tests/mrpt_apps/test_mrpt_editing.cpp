@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** MRPT's rawlog-edit keeps our predictions when it knows them. */
 #include "SimulatedRobot.h"
-#include "voxeland/io/GzInputFile.h"
+#include "files/GzInputFile.h"
 
 #include <algorithm>
 

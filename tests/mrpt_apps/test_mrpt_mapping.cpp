@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** MRPT's mapping programs hold and fill a Voxeland map. */
 #include "SimulatedRobot.h"
+#include "files/GzInputFile.h"
 #include "support/MapBytes.h"
-#include "voxeland/io/GzInputFile.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CSensoryFrame.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../libvoxeland/src/observations/CameraCheck.h"
+#include "observations/CameraCheck.h"
 
 #include <gtest/gtest.h>
 

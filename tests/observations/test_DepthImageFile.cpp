@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../libvoxeland/src/observations/DepthImageFile.h"
+#include "observations/DepthImageFile.h"
 #include "support/Frames.h"
 #include "support/TestFiles.h"
 #include "voxeland/observations/UnusableFrame.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "grid/RayTraversal.h"
 #include "support/Frames.h"
-#include "voxeland/grid/RayTraversal.h"
 #include "voxeland/observations/ObservedSpace.h"
 #include "voxeland/observations/UnusableFrame.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Displacements by hand, by finite differences of MRPT's poses, and by displacing poses. */
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/observations/PoseUncertainty.h"
 
 #include <Eigen/Dense>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/FramePreparer.h"
 #include "support/Frames.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/observations/UnusableFrame.h"
-#include "voxeland/pipeline/FramePreparer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "evidence/Displacement.h"
+#include "pipeline/Integration.h"
 #include "support/Frames.h"
-#include "voxeland/evidence/Displacement.h"
-#include "voxeland/pipeline/Integration.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HandMadeMap.h"
+#include "pipeline/MappingTrace.h"
+#include "pipeline/Refinement.h"
 #include "support/MapBytes.h"
 #include "support/SmallRawlog.h"
-#include "voxeland/pipeline/MappingTrace.h"
-#include "voxeland/pipeline/Refinement.h"
 #include "voxeland/pipeline/SemanticMapper.h"
 
 #include <gtest/gtest.h>

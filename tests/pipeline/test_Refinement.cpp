@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Division and merging of instances on maps made by hand. */
 #include "HandMadeMap.h"
+#include "pipeline/Refinement.h"
 #include "support/MapBytes.h"
 #include "support/Rooms.h"
-#include "voxeland/pipeline/Refinement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "plugins/PluginLoader.h"
 #include "voxeland/plugins/CDisambiguator.h"
 #include "voxeland/plugins/Ini.h"
-#include "voxeland/plugins/PluginLoader.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The association policies that go by what the detector says, on overlaps made by hand. */
+#include "plugins/PluginLoader.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
-#include "voxeland/plugins/PluginLoader.h"
 
 #include <gtest/gtest.h>
 

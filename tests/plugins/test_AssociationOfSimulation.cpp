@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Maps a small simulated rawlog with the policies that go by what the detector says. */
+#include "simulation/SimulationRun.h"
 #include "support/TestFiles.h"
 #include "voxeland/metric_map/RawlogMapping.h"
-#include "voxeland/simulation/SimulationRun.h"
 #include "voxeland/simulation/Simulator.h"
 
 #include <gtest/gtest.h>

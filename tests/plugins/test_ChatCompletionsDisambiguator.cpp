@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The back-end that asks a server, against a real one (tests/vision_server). */
 #include "Backend.h"
+#include "simulation/CategoryPaint.h"
 #include "support/RunProgram.h"
 #include "support/TestFiles.h"
 #include "support/VisionServer.h"
-#include "voxeland/errors.h"
-#include "voxeland/simulation/CategoryPaint.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

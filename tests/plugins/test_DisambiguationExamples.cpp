@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The INIs that are shipped for disambiguation. */
+#include "plugins/PluginLoader.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/plugins/CDisambiguator.h"
 #include "voxeland/plugins/Ini.h"
-#include "voxeland/plugins/PluginLoader.h"
 
 #include <gtest/gtest.h>
 

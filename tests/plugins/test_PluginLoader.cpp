@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/PluginLoader.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/pipeline/MapperConfig.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 #include "voxeland/plugins/COpinionConverter.h"
-#include "voxeland/plugins/PluginLoader.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 /** The back-ends that need no network. */
 #include "Backend.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Each scan gets its predictions out of the file beside the rawlog. */
+#include "files/GzOutputFile.h"
+#include "rawlogs/RawlogFiles.h"
 #include "support/Frames.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/GzOutputFile.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/rawlogs/PredictionSidecar.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/system/datetime.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Which predictions of a sidecar reach a frame, and which are counted as lost. */
+#include "files/GzOutputFile.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/GzOutputFile.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TinyMap.h"
+#include "report/MapReport.h"
 #include "support/RunProgram.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
-#include "voxeland/report/MapReport.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/system/string_utils.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/simulation/Apartment.h"
+#include "simulation/Apartment.h"
 #include "voxeland/simulation/Recognition.h"
 
 #include <gtest/gtest.h>

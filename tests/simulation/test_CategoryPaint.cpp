@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/simulation/CategoryPaint.h"
+#include "simulation/CategoryPaint.h"
 #include "voxeland/simulation/Simulator.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/simulation/DepthNoise.h"
+#include "simulation/DepthNoise.h"
 
 #include <gtest/gtest.h>
 

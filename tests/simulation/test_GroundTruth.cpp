@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/Apartment.h"
+#include "simulation/GroundTruth.h"
 #include "support/TestFiles.h"
-#include "voxeland/simulation/Apartment.h"
-#include "voxeland/simulation/GroundTruth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/simulation/NoisyDetector.h"
 
 #include <gtest/gtest.h>

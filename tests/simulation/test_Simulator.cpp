@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/SimulationRun.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
-#include "voxeland/simulation/SimulationRun.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/simulation/Simulator.h"
 
 #include <gtest/gtest.h>

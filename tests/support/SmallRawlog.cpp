@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/SmallRawlog.h"
 
-#include "voxeland/io/GzOutputFile.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
+#include "files/GzOutputFile.h"
+#include "rawlogs/RawlogFiles.h"
 
 #include <cmath>
 

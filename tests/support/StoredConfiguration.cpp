@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/StoredConfiguration.h"
 
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/io/GzOutputFile.h"
+#include "files/GzInputFile.h"
+#include "files/GzOutputFile.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sight.h"
 
-#include "voxeland/simulation/CategoryPaint.h"
+#include "simulation/CategoryPaint.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>

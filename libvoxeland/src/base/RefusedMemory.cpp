@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/RefusedMemory.h"
+#include "voxeland/base/RefusedMemory.h"
 
 #include <opencv2/core.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/CalibrationCheck.h"
+#include "CalibrationCheck.h"
 
 #include "FramePairs.h"
-#include "voxeland/observations/Projection.h"
+#include "observations/Projection.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/counted.h"
-#include "voxeland/datasets/CalibrationCheck.h"
-#include "voxeland/printable.h"
+#include "CalibrationCheck.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/printable.h"
 
 #include <cmath>
 #include <iomanip>

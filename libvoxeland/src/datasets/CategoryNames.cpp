@@ -2,13 +2,13 @@
 #include "voxeland/datasets/CategoryNames.h"
 
 #include "YamlNames.h"
+#include "files/Csv.h"
+#include "files/TextFile.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/trimmed.h"
 #include "voxeland/datasets/LabelMap.h"
-#include "voxeland/errors.h"
-#include "voxeland/files/Csv.h"
 #include "voxeland/files/Json.h"
-#include "voxeland/files/TextFile.h"
-#include "voxeland/numbers.h"
-#include "voxeland/trimmed.h"
 
 #include <algorithm>
 #include <cctype>

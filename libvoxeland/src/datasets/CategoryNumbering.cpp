@@ -2,8 +2,8 @@
 #include "CategoryNumbering.h"
 
 #include "Tolerance.h"
-#include "voxeland/counted.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/CocoMasks.h"
+#include "CocoMasks.h"
 
 #include <opencv2/core.hpp>
 

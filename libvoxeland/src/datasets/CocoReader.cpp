@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CocoReader.h"
 
+#include "CocoMasks.h"
 #include "ImageName.h"
 #include "Tolerance.h"
-#include "voxeland/counted.h"
-#include "voxeland/datasets/CocoMasks.h"
-#include "voxeland/errors.h"
-#include "voxeland/numbers.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/DatasetCameras.h"
 
-#include "../observations/CameraCheck.h"
-#include "voxeland/errors.h"
+#include "observations/CameraCheck.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetFiles.h"
 
-#include "voxeland/RefusedMemory.h"
-#include "voxeland/datasets/OpticalPose.h"
+#include "OpticalPose.h"
+#include "voxeland/base/RefusedMemory.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
-#include "voxeland/errors.h"
-#include "voxeland/numbers.h"
 
 #include <algorithm>
 #include <cerrno>

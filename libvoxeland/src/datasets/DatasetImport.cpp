@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/DatasetImport.h"
+#include "DatasetImport.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/observations/MaskCamera.h"
+#include "observations/MaskCamera.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FramePairs.h"
 
-#include "voxeland/datasets/OpticalPose.h"
-#include "voxeland/observations/PixelDirections.h"
+#include "OpticalPose.h"
+#include "observations/PixelDirections.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/Lie/SO.h>

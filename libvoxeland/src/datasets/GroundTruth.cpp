@@ -2,11 +2,11 @@
 #include "voxeland/datasets/GroundTruth.h"
 
 #include "PlyVertices.h"
-#include "voxeland/errors.h"
-#include "voxeland/files/Csv.h"
-#include "voxeland/files/TextFile.h"
-#include "voxeland/joined.h"
-#include "voxeland/numbers.h"
+#include "files/Csv.h"
+#include "files/TextFile.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
+#include "voxeland/base/numbers.h"
 
 #include <filesystem>
 #include <limits>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFiles.h"
 
-#include "../files/PictureDecoders.h"
-#include "voxeland/RefusedMemory.h"
+#include "files/PictureDecoders.h"
+#include "voxeland/base/RefusedMemory.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>

@@ -2,9 +2,9 @@
 #include "voxeland/datasets/ImageMatching.h"
 
 #include "ImageName.h"
-#include "voxeland/counted.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
-#include "voxeland/errors.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageName.h"
 
-#include "voxeland/numbers.h"
+#include "voxeland/base/numbers.h"
 
 #include <algorithm>
 #include <cctype>

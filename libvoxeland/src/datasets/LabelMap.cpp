@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/LabelMap.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/files/Csv.h"
-#include "voxeland/files/TextFile.h"
+#include "files/Csv.h"
+#include "files/TextFile.h"
+#include "voxeland/base/errors.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/MatchedPredictions.h"
+#include "MatchedPredictions.h"
 
+#include "CocoMasks.h"
 #include "Tolerance.h"
-#include "voxeland/counted.h"
-#include "voxeland/datasets/CocoMasks.h"
-#include "voxeland/errors.h"
-#include "voxeland/numbers.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
 
 #include <cmath>
 #include <set>

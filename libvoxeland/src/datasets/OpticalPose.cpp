@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/OpticalPose.h"
+#include "OpticalPose.h"
 
 #include "voxeland/observations/PoseAxes.h"
 

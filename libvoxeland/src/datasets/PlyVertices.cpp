@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyVertices.h"
 
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/printable.h"
+#include "voxeland/base/trimmed.h"
 #include "voxeland/files/InputFile.h"
-#include "voxeland/numbers.h"
-#include "voxeland/printable.h"
-#include "voxeland/trimmed.h"
 
 #include <cerrno>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/RawlogPredictions.h"
+#include "RawlogPredictions.h"
 
+#include "files/GzInputFile.h"
+#include "files/GzOutputFile.h"
+#include "observations/MaskCamera.h"
+#include "rawlogs/StagedRawlog.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/io/GzOutputFile.h"
-#include "voxeland/observations/MaskCamera.h"
-#include "voxeland/rawlogs/StagedRawlog.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CSensoryFrame.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/ReplicaReader.h"
+#include "ReplicaReader.h"
 
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/files/InputFile.h"
 #include "voxeland/files/Json.h"
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/RgbdDatasetReader.h"
 
-#include "../files/PictureDecoders.h"
-#include "voxeland/datasets/OpticalPose.h"
-#include "voxeland/datasets/ReplicaReader.h"
-#include "voxeland/datasets/ScanNetSensReader.h"
-#include "voxeland/datasets/SceneNNReader.h"
-#include "voxeland/datasets/SevenScenesReader.h"
-#include "voxeland/datasets/TumReader.h"
-#include "voxeland/errors.h"
-#include "voxeland/joined.h"
-#include "voxeland/observations/MaskCamera.h"
+#include "OpticalPose.h"
+#include "ReplicaReader.h"
+#include "ScanNetSensReader.h"
+#include "SceneNNReader.h"
+#include "SevenScenesReader.h"
+#include "TumReader.h"
+#include "files/PictureDecoders.h"
+#include "observations/MaskCamera.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -3,8 +3,8 @@
 
 #include "AnnotatedObjects.h"
 #include "ImageFiles.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
-#include "voxeland/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/core.hpp>

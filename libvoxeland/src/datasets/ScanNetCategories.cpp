@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScanNetCategories.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/files/Csv.h"
-#include "voxeland/files/TextFile.h"
-#include "voxeland/numbers.h"
-#include "voxeland/trimmed.h"
+#include "files/Csv.h"
+#include "files/TextFile.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/trimmed.h"
 
 #include <algorithm>
 #include <vector>

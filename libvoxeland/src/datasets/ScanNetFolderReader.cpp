@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/ScanNetFolderReader.h"
+#include "ScanNetFolderReader.h"
 
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
 #include "ScanNetAnnotation.h"
 #include "SensFile.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

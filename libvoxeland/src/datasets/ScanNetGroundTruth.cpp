@@ -3,8 +3,8 @@
 #include "DatasetFiles.h"
 #include "PlyVertices.h"
 #include "ScanNetCategories.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/GroundTruth.h"
-#include "voxeland/errors.h"
 #include "voxeland/files/Json.h"
 
 #include <filesystem>

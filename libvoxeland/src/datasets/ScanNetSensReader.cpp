@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/ScanNetSensReader.h"
+#include "ScanNetSensReader.h"
 
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
 #include "ScanNetAnnotation.h"
+#include "ScanNetFolderReader.h"
 #include "SensFile.h"
-#include "voxeland/datasets/ScanNetFolderReader.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -2,8 +2,8 @@
 #include "SceneNNAnnotation.h"
 
 #include "AnnotatedObjects.h"
+#include "observations/PixelDirections.h"
 #include "voxeland/datasets/GroundTruth.h"
-#include "voxeland/observations/PixelDirections.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/CPose3D.h>

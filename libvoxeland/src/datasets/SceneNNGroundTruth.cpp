@@ -2,8 +2,8 @@
 #include "AnnotatedObjects.h"
 #include "DatasetFiles.h"
 #include "PlyVertices.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/GroundTruth.h"
-#include "voxeland/errors.h"
 #include "voxeland/files/InputFile.h"
 
 #include <algorithm>

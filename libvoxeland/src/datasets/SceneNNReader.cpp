@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/SceneNNReader.h"
+#include "SceneNNReader.h"
 
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
 #include "SceneNNAnnotation.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/files/InputFile.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>

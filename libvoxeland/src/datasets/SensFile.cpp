@@ -2,7 +2,7 @@
 #include "SensFile.h"
 
 #include "ImageFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <opencv2/imgproc.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/SevenScenesReader.h"
+#include "SevenScenesReader.h"
 
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/datasets/TumReader.h"
+#include "TumReader.h"
 
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
-#include "voxeland/counted.h"
-#include "voxeland/datasets/OpticalPose.h"
-#include "voxeland/errors.h"
-#include "voxeland/files/NamedFile.h"
-#include "voxeland/observations/TimedLines.h"
-#include "voxeland/observations/Trajectory.h"
+#include "OpticalPose.h"
+#include "files/NamedFile.h"
+#include "observations/TimedLines.h"
+#include "observations/Trajectory.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

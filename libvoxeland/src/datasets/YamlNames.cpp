@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "YamlNames.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/numbers.h"
-#include "voxeland/trimmed.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/trimmed.h"
 
 #include <sstream>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/AnswerJournal.h"
+#include "AnswerJournal.h"
 
-#include "../map/InstanceSerialization.h"
-#include "voxeland/errors.h"
+#include "map/InstanceSerialization.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/io/CMemoryStream.h>
 

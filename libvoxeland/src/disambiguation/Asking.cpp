@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/Asking.h"
 
+#include "Prompt.h"
+#include "Questions.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/disambiguation/AnswerParser.h"
-#include "voxeland/disambiguation/Prompt.h"
-#include "voxeland/disambiguation/Questions.h"
-#include "voxeland/errors.h"
 
 #include <algorithm>
 #include <chrono>

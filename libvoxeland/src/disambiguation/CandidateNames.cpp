@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CandidateNames.h"
 
-#include "voxeland/plural.h"
+#include "base/plural.h"
 
 #include <algorithm>
 

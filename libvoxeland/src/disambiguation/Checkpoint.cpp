@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/Checkpoint.h"
+#include "Checkpoint.h"
 
-#include "voxeland/disambiguation/Decisions.h"
-#include "voxeland/errors.h"
+#include "Decisions.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 

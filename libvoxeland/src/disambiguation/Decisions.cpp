@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/Decisions.h"
+#include "Decisions.h"
 
 #include <algorithm>
 

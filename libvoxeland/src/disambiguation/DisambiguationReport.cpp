@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/DisambiguationReport.h"
+#include "DisambiguationReport.h"
 
-#include "voxeland/ClassicNumbers.h"
-#include "voxeland/counted.h"
+#include "base/ClassicNumbers.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/printable.h"
 #include "voxeland/map/MapQueries.h"
-#include "voxeland/printable.h"
 
 #include <mrpt/core/format.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/DryRun.h"
+#include "DryRun.h"
 
-#include "voxeland/disambiguation/Questions.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/io/OutputFolder.h"
+#include "Questions.h"
+#include "voxeland/files/AtomicFile.h"
+#include "voxeland/files/OutputFolder.h"
 
 #include <mrpt/core/format.h>
 #include <nlohmann/json.hpp>

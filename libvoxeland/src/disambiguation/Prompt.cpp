@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/Prompt.h"
+#include "Prompt.h"
 
 #include "BuiltInPrompt.h"
-#include "voxeland/ClassicNumbers.h"
-#include "voxeland/errors.h"
-#include "voxeland/printable.h"
+#include "base/ClassicNumbers.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/printable.h"
 
 #include <mrpt/core/format.h>
 

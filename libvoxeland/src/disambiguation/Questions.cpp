@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/Questions.h"
+#include "Questions.h"
 
-#include "voxeland/ClassicNumbers.h"
-#include "voxeland/io/InstancePicture.h"
-#include "voxeland/printable.h"
+#include "base/ClassicNumbers.h"
+#include "pictures/InstancePicture.h"
+#include "voxeland/base/printable.h"
 
 #include <mrpt/core/format.h>
 #include <opencv2/imgcodecs.hpp>

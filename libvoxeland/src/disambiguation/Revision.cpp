@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/Revision.h"
+#include "Revision.h"
 
-#include "voxeland/disambiguation/Decisions.h"
+#include "Decisions.h"
 
 #include <algorithm>
 

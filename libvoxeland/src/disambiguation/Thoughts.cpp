@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/Thoughts.h"
 
-#include "voxeland/trimmed.h"
+#include "voxeland/base/trimmed.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/UncertainInstance.h"
+#include "UncertainInstance.h"
 
 #include <algorithm>
 

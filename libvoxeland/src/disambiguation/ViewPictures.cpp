@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/ViewPictures.h"
+#include "ViewPictures.h"
 
-#include "voxeland/errors.h"
+#include "rawlogs/FrameFinder.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/files/InputFile.h"
-#include "voxeland/rawlogs/FrameFinder.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/imgcodecs.hpp>

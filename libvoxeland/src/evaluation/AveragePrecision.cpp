@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evaluation/AveragePrecision.h"
+#include "AveragePrecision.h"
 
 #include <algorithm>
 #include <limits>

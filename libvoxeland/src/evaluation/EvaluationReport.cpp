@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evaluation/EvaluationReport.h"
+#include "EvaluationReport.h"
 
-#include "voxeland/counted.h"
-#include "voxeland/numbers.h"
-#include "voxeland/printable.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/printable.h"
 
 #include <cmath>
 #include <iomanip>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evaluation/EvaluationReport.h"
+#include "EvaluationReport.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evaluation/Metrics.h"
+#include "Metrics.h"
 
-#include "voxeland/evaluation/InstanceVerdicts.h"
+#include "InstanceVerdicts.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/ClassicNumbers.h"
-#include "voxeland/evaluation/EvaluationReport.h"
+#include "EvaluationReport.h"
+#include "base/ClassicNumbers.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evaluation/Segmentation.h"
+#include "Segmentation.h"
 
 namespace voxeland
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/evidence/Displacement.h"
+#include "Displacement.h"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/files/Csv.h"
+#include "Csv.h"
 
-#include "voxeland/counted.h"
-#include "voxeland/errors.h"
-#include "voxeland/joined.h"
-#include "voxeland/trimmed.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
+#include "voxeland/base/trimmed.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/files/FolderNames.h"
+#include "FolderNames.h"
 
 #include <dirent.h>
 #include <memory>

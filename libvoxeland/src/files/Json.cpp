@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/files/Json.h"
 
-#include "voxeland/errors.h"
+#include "TextFile.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/printable.h"
+#include "voxeland/base/trimmed.h"
 #include "voxeland/files/InputFile.h"
-#include "voxeland/files/TextFile.h"
-#include "voxeland/printable.h"
-#include "voxeland/trimmed.h"
 
 #include <algorithm>
 #include <iterator>

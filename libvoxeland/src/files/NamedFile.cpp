@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/files/NamedFile.h"
+#include "NamedFile.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/printable.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/printable.h"
 
 #include <algorithm>
 

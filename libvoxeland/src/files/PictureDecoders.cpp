@@ -5,7 +5,7 @@
  *  first: they are those of the libraries with other defaults. */
 #include "PictureDecoders.h"
 
-#include "voxeland/RefusedMemory.h"
+#include "voxeland/base/RefusedMemory.h"
 
 #include <cstdio>
 #include <dlfcn.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/files/TextFile.h"
+#include "TextFile.h"
 
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/files/InputFile.h"
 
 #include <cerrno>

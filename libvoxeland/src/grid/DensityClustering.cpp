@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/grid/DensityClustering.h"
+#include "DensityClustering.h"
 
 #include "voxeland/grid/BlockMap.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/grid/RayBundle.h"
+#include "RayBundle.h"
 
-#include "voxeland/vectorized.h"
+#include "base/vectorized.h"
 
 namespace voxeland
 {

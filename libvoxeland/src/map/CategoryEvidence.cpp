@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/map/CategoryEvidence.h"
 
-#include "voxeland/evidence/JensenShannon.h"
+#include "evidence/JensenShannon.h"
 
 #include <algorithm>
 #include <cmath>

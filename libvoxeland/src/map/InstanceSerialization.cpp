@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstanceSerialization.h"
 
-#include "../base/Reading.h"
+#include "base/Reading.h"
 
 #include <mrpt/serialization/stl_serialization.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../base/Reading.h"
 #include "InstanceSerialization.h"
+#include "base/Reading.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <mrpt/serialization/CArchive.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/map/SemanticVoxelMap.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/numbers.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
 
 #include <algorithm>
 #include <cmath>

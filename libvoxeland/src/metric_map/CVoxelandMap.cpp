@@ -3,15 +3,15 @@
 
 #include "UsersConfigurations.h"
 #include "WarnOnce.h"
-#include "voxeland/RegisteredClass.h"
-#include "voxeland/counted.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/LevelFrame.h"
-#include "voxeland/io/MapScene.h"
-#include "voxeland/io/UpDirection.h"
+#include "exporters/MapScene.h"
+#include "voxeland/base/RegisteredClass.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/printable.h"
+#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/UpDirection.h"
 #include "voxeland/metric_map/MapFile.h"
-#include "voxeland/numbers.h"
-#include "voxeland/printable.h"
 
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How well observations fit a CVoxelandMap. */
+#include "observations/ObservedPoints.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
-#include "voxeland/observations/ObservedPoints.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/metric_map/LikelihoodOptions.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/joined.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
 #include "voxeland/plugins/Ini.h"
 #include "voxeland/plugins/OptionList.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/metric_map/MapFile.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/io/GzOutputFile.h"
+#include "files/GzInputFile.h"
+#include "files/GzOutputFile.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 
 namespace voxeland

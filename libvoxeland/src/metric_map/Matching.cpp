@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How other maps fit a CVoxelandMap. */
+#include "PointsSlice.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
-#include "voxeland/metric_map/PointsSlice.h"
 
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/maps/CSimplePointsMap.h>

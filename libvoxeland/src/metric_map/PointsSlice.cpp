@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/metric_map/PointsSlice.h"
+#include "PointsSlice.h"
 
 namespace voxeland
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/metric_map/RawlogMapping.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/numbers.h"
+#include "pipeline/FramePredictor.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
 #include "voxeland/observations/UnusableFrame.h"
-#include "voxeland/pipeline/FramePredictor.h"
 
 #include <mrpt/system/datetime.h>
 

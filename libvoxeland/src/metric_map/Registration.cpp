@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** How MRPT's programs create a CVoxelandMap from their INI, and how it is serialized. */
-#include "../base/Reading.h"
 #include "WarnOnce.h"
-#include "voxeland/errors.h"
-#include "voxeland/joined.h"
+#include "base/Reading.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/plugins/OptionList.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/metric_map/SharedVoxelMap.h"
 
-#include "voxeland/metric_map/PointsSlice.h"
+#include "PointsSlice.h"
 
 #include <atomic>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WarnOnce.h"
 
-#include "voxeland/printable.h"
+#include "voxeland/base/printable.h"
 
 #include <iostream>
 #include <mutex>

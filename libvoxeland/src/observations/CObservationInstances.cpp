@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/CObservationInstances.h"
 
-#include "../base/Reading.h"
-#include "voxeland/RegisteredClass.h"
-#include "voxeland/counted.h"
+#include "base/Reading.h"
+#include "voxeland/base/RegisteredClass.h"
+#include "voxeland/base/counted.h"
 
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>

@@ -2,8 +2,8 @@
 #include "CameraCheck.h"
 
 #include "DepthImageCheck.h"
-#include "voxeland/numbers.h"
-#include "voxeland/observations/Projection.h"
+#include "Projection.h"
+#include "voxeland/base/numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #include "DepthImageCheck.h"
 
 #include "CameraCheck.h"
-#include "voxeland/numbers.h"
-#include "voxeland/observations/MaskCamera.h"
+#include "MaskCamera.h"
+#include "voxeland/base/numbers.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthImageFile.h"
 
-#include "voxeland/RefusedMemory.h"
+#include "voxeland/base/RefusedMemory.h"
 #include "voxeland/files/InputFile.h"
 #include "voxeland/observations/UnusableFrame.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/FrameAssembler.h"
 
-#include "../base/Reading.h"
-#include "voxeland/counted.h"
-#include "voxeland/numbers.h"
-#include "voxeland/observations/MaskCamera.h"
+#include "MaskCamera.h"
+#include "base/Reading.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/numbers.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/observations/MaskCamera.h"
+#include "MaskCamera.h"
 
 #include "DepthImageCheck.h"
 #include "voxeland/observations/CObservationInstances.h"

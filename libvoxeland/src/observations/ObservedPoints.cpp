@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/observations/ObservedPoints.h"
+#include "ObservedPoints.h"
 
 #include "DepthImageCheck.h"
 #include "DepthImageFile.h"
-#include "voxeland/observations/PixelDirections.h"
+#include "PixelDirections.h"
 
 #include <mrpt/maps/CPointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>

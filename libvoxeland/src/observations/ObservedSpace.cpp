@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/ObservedSpace.h"
 
-#include "voxeland/grid/RayBundle.h"
+#include "grid/RayBundle.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <algorithm>

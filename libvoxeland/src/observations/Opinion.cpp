@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/Opinion.h"
 
+#include "grid/DensityClustering.h"
 #include "voxeland/grid/CoordHash.h"
-#include "voxeland/grid/DensityClustering.h"
 #include "voxeland/observations/VoxelizedFrame.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/observations/PixelDirections.h"
+#include "PixelDirections.h"
 
 #include <algorithm>
 #include <mutex>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PixelGrouping.h"
 
+#include "PixelDirections.h"
+#include "base/vectorized.h"
 #include "voxeland/grid/CoordHash.h"
-#include "voxeland/observations/PixelDirections.h"
-#include "voxeland/vectorized.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/PoseAxes.h"
 
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/PoseUncertainty.h"
 
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <Eigen/Dense>
 #include <mrpt/poses/CPose3D.h>

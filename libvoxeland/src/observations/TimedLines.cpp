@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/observations/TimedLines.h"
+#include "TimedLines.h"
 
-#include "voxeland/files/TextFile.h"
-#include "voxeland/numbers.h"
-#include "voxeland/trimmed.h"
+#include "files/TextFile.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/trimmed.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/observations/Trajectory.h"
+#include "Trajectory.h"
 
-#include "voxeland/counted.h"
-#include "voxeland/numbers.h"
+#include "TimedLines.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/numbers.h"
 #include "voxeland/observations/RgbdFrame.h"
-#include "voxeland/observations/TimedLines.h"
 
 #include <mrpt/math/CQuaternion.h>
 #include <mrpt/poses/CPose3D.h>

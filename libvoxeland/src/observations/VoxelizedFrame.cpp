@@ -2,11 +2,11 @@
 #include "voxeland/observations/VoxelizedFrame.h"
 
 #include "DepthImageCheck.h"
+#include "MaskCamera.h"
+#include "PixelDirections.h"
 #include "PixelGrouping.h"
-#include "voxeland/errors.h"
-#include "voxeland/observations/MaskCamera.h"
-#include "voxeland/observations/PixelDirections.h"
-#include "voxeland/observations/Projection.h"
+#include "Projection.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/pipeline/FramePredictor.h"
+#include "FramePredictor.h"
 
 #include "voxeland/observations/UnusableFrame.h"
 

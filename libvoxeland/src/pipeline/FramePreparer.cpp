@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/pipeline/FramePreparer.h"
+#include "FramePreparer.h"
 
 #include "voxeland/observations/UnusableFrame.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/pipeline/Integration.h"
+#include "Integration.h"
 
-#include "voxeland/evidence/Displacement.h"
+#include "evidence/Displacement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/MapperConfig.h"
 
-#include "voxeland/counted.h"
-#include "voxeland/errors.h"
-#include "voxeland/joined.h"
-#include "voxeland/pipeline/PoseSource.h"
-#include "voxeland/plugins/PluginLoader.h"
-#include "voxeland/printable.h"
+#include "PoseSource.h"
+#include "plugins/PluginLoader.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
+#include "voxeland/base/printable.h"
 
 #include <algorithm>
 #include <functional>

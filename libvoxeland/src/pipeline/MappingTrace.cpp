@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/pipeline/MappingTrace.h"
+#include "MappingTrace.h"
 
 #include "voxeland/files/Json.h"
 #include "voxeland/pipeline/MapperConfig.h"

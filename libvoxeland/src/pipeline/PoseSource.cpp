@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/pipeline/PoseSource.h"
+#include "PoseSource.h"
 
 namespace voxeland
 {

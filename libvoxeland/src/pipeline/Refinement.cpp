@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/pipeline/Refinement.h"
+#include "Refinement.h"
 
-#include "voxeland/grid/DensityClustering.h"
-#include "voxeland/pipeline/MappingTrace.h"
+#include "MappingTrace.h"
+#include "grid/DensityClustering.h"
 
 #include <algorithm>
 #include <map>

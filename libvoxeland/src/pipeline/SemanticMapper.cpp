@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/pipeline/SemanticMapper.h"
 
-#include "../observations/DepthImageCheck.h"
-#include "../observations/DepthImageFile.h"
-#include "voxeland/errors.h"
-#include "voxeland/observations/MaskCamera.h"
+#include "Integration.h"
+#include "MappingTrace.h"
+#include "Refinement.h"
+#include "observations/DepthImageCheck.h"
+#include "observations/DepthImageFile.h"
+#include "observations/MaskCamera.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/observations/UnusableFrame.h"
-#include "voxeland/pipeline/Integration.h"
-#include "voxeland/pipeline/MappingTrace.h"
-#include "voxeland/pipeline/Refinement.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/pipeline/TimingLog.h"
+#include "TimingLog.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/files/Csv.h"
-#include "voxeland/files/TextFile.h"
-#include "voxeland/joined.h"
-#include "voxeland/numbers.h"
+#include "files/Csv.h"
+#include "files/TextFile.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
+#include "voxeland/base/numbers.h"
 
 #include <algorithm>
 #include <iomanip>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/plugins/Ini.h"
 
-#include "voxeland/ClassicNumbers.h"
-#include "voxeland/errors.h"
-#include "voxeland/files/TextFile.h"
-#include "voxeland/trimmed.h"
+#include "base/ClassicNumbers.h"
+#include "files/TextFile.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/trimmed.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/plugins/OptionList.h"
 
-#include "voxeland/numbers.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/base/printable.h"
+#include "voxeland/base/trimmed.h"
 #include "voxeland/plugins/Ini.h"
-#include "voxeland/printable.h"
-#include "voxeland/trimmed.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/plugins/PluginLoader.h"
+#include "PluginLoader.h"
 
 #include "Trial.h"
-#include "voxeland/errors.h"
-#include "voxeland/files/FolderNames.h"
-#include "voxeland/joined.h"
+#include "files/FolderNames.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
+#include "voxeland/base/printable.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 #include "voxeland/plugins/CDisambiguator.h"
 #include "voxeland/plugins/COpinionConverter.h"
-#include "voxeland/printable.h"
 
 #include <mrpt/system/os.h>
 

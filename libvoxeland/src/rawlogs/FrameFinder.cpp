@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/rawlogs/FrameFinder.h"
+#include "FrameFinder.h"
 
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/rawlogs/ImagePaths.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
+#include "ImagePaths.h"
+#include "RawlogFiles.h"
+#include "files/GzInputFile.h"
 
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFolder.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/io/writeFailure.h"
+#include "files/writeFailure.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>

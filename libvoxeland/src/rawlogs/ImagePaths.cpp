@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/rawlogs/ImagePaths.h"
+#include "ImagePaths.h"
 
-#include "voxeland/files/NamedFile.h"
+#include "files/NamedFile.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/rawlogs/LabelChoice.h"
 
-#include "voxeland/joined.h"
-#include "voxeland/printable.h"
+#include "voxeland/base/joined.h"
+#include "voxeland/base/printable.h"
 
 namespace voxeland
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/rawlogs/PredictionSidecar.h"
 
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
+#include "RawlogFiles.h"
+#include "files/GzInputFile.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/rawlogs/RawlogFiles.h"
+#include "RawlogFiles.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/rawlogs/StagedRawlog.h"
+#include "StagedRawlog.h"
+#include "voxeland/base/errors.h"
 
 #include <mrpt/img/CImage.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 
-#include "voxeland/counted.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/GzInputFile.h"
-#include "voxeland/numbers.h"
-#include "voxeland/observations/Trajectory.h"
-#include "voxeland/pipeline/PoseSource.h"
-#include "voxeland/rawlogs/ImagePaths.h"
-#include "voxeland/rawlogs/RawlogFiles.h"
+#include "ImagePaths.h"
+#include "RawlogFiles.h"
+#include "files/GzInputFile.h"
+#include "observations/Trajectory.h"
+#include "pipeline/PoseSource.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/numbers.h"
 
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CActionCollection.h>

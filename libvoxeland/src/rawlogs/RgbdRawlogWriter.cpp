@@ -2,8 +2,8 @@
 #include "voxeland/rawlogs/RgbdRawlogWriter.h"
 
 #include "ImageFolder.h"
-#include "voxeland/io/GzOutputFile.h"
-#include "voxeland/rawlogs/StagedRawlog.h"
+#include "StagedRawlog.h"
+#include "files/GzOutputFile.h"
 
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>

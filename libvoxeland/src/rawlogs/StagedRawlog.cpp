@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/rawlogs/StagedRawlog.h"
+#include "StagedRawlog.h"
 
-#include "voxeland/errors.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/io/writeFailure.h"
+#include "files/writeFailure.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/files/AtomicFile.h"
 
 #include <cerrno>
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/report/MapReport.h"
+#include "MapReport.h"
 
 #include "ReportData.h"
 #include "ReportPage.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportData.h"
 
-#include "voxeland/ClassicNumbers.h"
-#include "voxeland/errors.h"
-#include "voxeland/io/Colors.h"
-#include "voxeland/io/MapAnswers.h"
-#include "voxeland/io/MapViews.h"
-#include "voxeland/io/UpDirection.h"
-#include "voxeland/printable.h"
+#include "base/ClassicNumbers.h"
+#include "pictures/Colors.h"
+#include "pictures/MapViews.h"
+#include "voxeland/answers/MapAnswers.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/printable.h"
+#include "voxeland/level/UpDirection.h"
 
 #include <mrpt/core/format.h>
 #include <mrpt/system/string_utils.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/report/MapReport.h"
+#include "MapReport.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/simulation/Apartment.h"
+#include "Apartment.h"
 
+#include "CategoryPaint.h"
 #include "FloorPlan.h"
 #include "FurnitureGroup.h"
-#include "voxeland/simulation/CategoryPaint.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/simulation/CategoryPaint.h"
+#include "CategoryPaint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/simulation/Furniture.h"
+#include "Furniture.h"
 #include "voxeland/simulation/SimulationOptions.h"
 
 #include <functional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/simulation/GroundTruth.h"
+#include "GroundTruth.h"
 
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/numbers.h"
+#include "voxeland/base/numbers.h"
+#include "voxeland/files/AtomicFile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Furniture.h"
 #include "Piece.h"
-#include "voxeland/simulation/Furniture.h"
 
 namespace voxeland::simulation::furniture
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/simulation/SimulationOptions.h"
 
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 namespace voxeland::simulation
 {

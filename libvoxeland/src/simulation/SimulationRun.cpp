@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/simulation/SimulationRun.h"
+#include "SimulationRun.h"
 
-#include "voxeland/ClassicNumbers.h"
-#include "voxeland/io/AtomicFile.h"
-#include "voxeland/io/OutputFolder.h"
-#include "voxeland/simulation/GroundTruth.h"
+#include "GroundTruth.h"
+#include "base/ClassicNumbers.h"
+#include "voxeland/files/AtomicFile.h"
+#include "voxeland/files/OutputFolder.h"
 #include "voxeland/simulation/Simulator.h"
 
 #include <mrpt/math/CQuaternion.h>

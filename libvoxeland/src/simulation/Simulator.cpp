@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/simulation/Simulator.h"
 
-#include "voxeland/simulation/Apartment.h"
-#include "voxeland/simulation/DepthNoise.h"
+#include "Apartment.h"
+#include "DepthNoise.h"
 
 #include <mrpt/core/bits_math.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>

@@ -2,10 +2,10 @@
 #include "CDnnConverter.h"
 
 #include "ClassNames.h"
-#include "voxeland/RegisteredClass.h"
-#include "voxeland/counted.h"
+#include "voxeland/base/RegisteredClass.h"
+#include "voxeland/base/counted.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/CategoryNames.h"
-#include "voxeland/errors.h"
 #include "voxeland/files/InputFile.h"
 #include "voxeland/observations/UnusableFrame.h"
 #include "voxeland/plugins/ClusteringKeys.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClassNames.h"
 
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/CategoryNames.h"
-#include "voxeland/errors.h"
 
 namespace voxeland
 {

@@ -2,8 +2,8 @@
 #include "Network.h"
 
 #include "OnnxFile.h"
-#include "voxeland/errors.h"
-#include "voxeland/joined.h"
+#include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
 
 #include <opencv2/core/utils/logger.hpp>
 

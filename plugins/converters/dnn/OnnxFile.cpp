@@ -2,7 +2,7 @@
 #include "OnnxFile.h"
 
 #include "ProtobufFields.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <algorithm>
 #include <filesystem>

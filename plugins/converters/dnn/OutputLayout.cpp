@@ -5,7 +5,7 @@
 #include "YoloMasks.h"
 #include "YoloV5.h"
 #include "YoloV8.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The network converter: on a real network and real frames, and on models that cannot be used. */
 #include "SmallOnnx.h"
+#include "datasets/MatchedPredictions.h"
 #include "support/ConfiguredPlugin.h"
 #include "support/TestFiles.h"
-#include "voxeland/datasets/MatchedPredictions.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
-#include "voxeland/errors.h"
 #include "voxeland/plugins/COpinionConverter.h"
 
 #include <gtest/gtest.h>

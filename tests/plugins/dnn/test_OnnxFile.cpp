@@ -2,7 +2,7 @@
 #include "OnnxFile.h"
 #include "SmallOnnx.h"
 #include "support/TestFiles.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputLayout.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** A plugin that ends its program as the environment variable VOXELAND_TEST_ENDING says. */
-#include "voxeland/RegisteredClass.h"
+#include "voxeland/base/RegisteredClass.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 
 #include <csignal>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/RegisteredClass.h"
+#include "voxeland/base/RegisteredClass.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 
 namespace voxeland

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/LeftOut.h"
+#include "voxeland/base/LeftOut.h"
 #include "voxeland/datasets/CategoryNames.h"
 #include "voxeland/datasets/ImageMatching.h"
 #include "voxeland/observations/CObservationInstances.h"

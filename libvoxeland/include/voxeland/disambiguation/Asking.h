@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/map/Decision.h"
-#include "voxeland/pipeline/DisambiguationOptions.h"
 #include "voxeland/plugins/CDisambiguator.h"
+#include "voxeland/plugins/DisambiguationOptions.h"
 
 #include <condition_variable>
 #include <exception>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/base/mrpt_compat.h"
 #include "voxeland/metric_map/LikelihoodOptions.h"
 #include "voxeland/metric_map/SharedVoxelMap.h"
-#include "voxeland/mrpt_compat.h"
 #include "voxeland/observations/FrameAssembler.h"
 #include "voxeland/pipeline/SemanticMapper.h"
 

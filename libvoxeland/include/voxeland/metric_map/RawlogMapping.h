@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/LeftOut.h"
+#include "voxeland/base/LeftOut.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/LeftOut.h"
+#include "voxeland/base/LeftOut.h"
 #include "voxeland/observations/PoseAxes.h"
 #include "voxeland/observations/PoseTrack.h"
 #include "voxeland/observations/RecordingClock.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/numbers.h"
+#include "voxeland/base/numbers.h"
 
 #include <mrpt/core/Clock.h>
 

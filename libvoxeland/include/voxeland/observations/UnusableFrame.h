@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/RefusedMemory.h"
-#include "voxeland/errors.h"
+#include "voxeland/base/RefusedMemory.h"
+#include "voxeland/base/errors.h"
 
 #include <string>
 

@@ -3,10 +3,10 @@
 #include "voxeland/map/SemanticVoxelMap.h"
 #include "voxeland/observations/PoseAxes.h"
 #include "voxeland/observations/VoxelizedFrame.h"
-#include "voxeland/pipeline/DisambiguationOptions.h"
 #include "voxeland/plugins/CAssociationPolicy.h"
 #include "voxeland/plugins/CDisambiguator.h"
 #include "voxeland/plugins/COpinionConverter.h"
+#include "voxeland/plugins/DisambiguationOptions.h"
 #include "voxeland/plugins/Ini.h"
 
 #include <functional>

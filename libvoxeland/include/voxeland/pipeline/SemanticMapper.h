@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/map/MappingCounts.h"
 #include "voxeland/pipeline/MapperConfig.h"
-#include "voxeland/pipeline/MappingCounts.h"
 #include "voxeland/pipeline/Overlaps.h"
 #include "voxeland/pipeline/PreparedFrame.h"
 

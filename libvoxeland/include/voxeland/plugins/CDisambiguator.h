@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/errors.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/map/MapQueries.h"
 #include "voxeland/plugins/Plugin.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/mrpt_compat.h"
+#include "voxeland/base/mrpt_compat.h"
 #include "voxeland/plugins/OptionList.h"
 #include "voxeland/plugins/PluginAbi.h"
 

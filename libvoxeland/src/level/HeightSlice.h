@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "voxeland/files/WrittenFiles.h"
+#include "voxeland/level/LevelFrame.h"
+
+#include <string>
+#include <vector>
+
+namespace mrpt::maps
+{
+class COccupancyGridMap2D;
+}
+
+namespace voxeland
+{
+/** A level layer of a map as a flat grid, for robots that drive. */
+struct HeightSlice
+{
+    double resolution = 0;         //!< edge of a cell [m]
+    double minX = 0, minY = 0;     //!< corner of the first cell in the level frame [m]
+    size_t columns = 0, rows = 0;  //!< along x and y
+    /** Probability of occupied, rows of increasing y; 0.5: never observed. */
+    std::vector<float> occupancy;
+};
+
+/** Looks through the heights: of the voxels above one another in a cell, the one most likely
+ *  occupied decides. The grid covers everything observed at those heights.
+ *  \param heights in the level frame [m]; only those are looked through at which
+ *  anything was observed
+ *  \throws ConfigurationError if nothing was observed there */
+HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
+                    const HeightRange& heights);
+
+/** The same slice, its corner in the world: in the level frame it is counted from the map's origin.
+ */
+HeightSlice inWorld(HeightSlice slice, const SemanticVoxelMap& map);
+
+/** A slice for MRPT's planners, in the frame of the slice.
+ *  \throws ConfigurationError where floats lack the digits for its place */
+mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice);
+
+/** Writes gridOf() serialized and compressed (.gridmap, as MRPT's programs read it). \throws
+ * OutputError if that fails */
+void exportGridmap(const HeightSlice& slice, const std::string& file);
+
+/** The image beside a YAML file of ROS's map_server: the same name, ending in .pgm.
+ *  \throws ConfigurationError unless the name ends in .yaml */
+std::string rosImageOf(const std::string& yamlFile);
+
+/** Writes a slice for ROS's map_server: a YAML file, and its image, rosImageOf().
+ *  Cells likelier occupied than free are black, the others white, those never observed grey.
+ *  \param written the two are added to it as they are completed: the image first
+ *  \throws ConfigurationError for another ending, OutputError if a file cannot be written */
+void exportRosMap(const HeightSlice& slice, const std::string& yamlFile, WrittenFiles& written);
+}  // namespace voxeland

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "exporters/TinyMap.h"
+#include "voxeland/level/LevelFrame.h"
+
+#include <gtest/gtest.h>
+
+using namespace voxeland;
+using mrpt::math::TPoint3D;
+
+namespace
+{
+void expectNear(const TPoint3D& actual, const TPoint3D& expected)
+{
+    for (size_t a = 0; a < 3; ++a) EXPECT_NEAR(actual[a], expected[a], 1e-12) << a;
+}
+}  // namespace
+
+TEST(LevelFrame, isTheMapsWhereUpIsZ)
+{
+    for (const LevelFrame& frame : {LevelFrame(), LevelFrame({0, 0, 3})})
+        expectNear(frame.toLevel({1, 2, 3}), {1, 2, 3});
+}
+
+/** A camera's axes: x right, y down, z ahead. Level: x right, y ahead, z up. */
+TEST(LevelFrame, ofOpticalAxes)
+{
+    const LevelFrame frame({0, -2, 0});
+    expectNear(frame.toLevel({1, 2, 3}), {1, 3, -2});
+    expectNear(frame.toMap({1, 3, -2}), {1, 2, 3});
+}
+
+TEST(LevelFrame, whereUpIsX)
+{
+    const LevelFrame frame({1, 0, 0});
+    EXPECT_NEAR(frame.toLevel({5, 0, 0}).z, 5, 1e-12);
+    expectNear(frame.toMap(frame.toLevel({1, 2, 3})), {1, 2, 3});
+}
+
+TEST(LevelFrame, turnsAboutUp)
+{
+    const LevelFrame turned = LevelFrame({0, -1, 0}).turned(M_PI / 2);
+    expectNear(turned.axes()[0], {0, 0, 1});
+    expectNear(turned.axes()[2], {0, -1, 0});
+}
+
+/** 1000 voxels of floor at x = 2, up being -x; a wall; five strays below the floor. */
+TEST(FloorHeight, isTheTopOfTheFloor)
+{
+    SemanticVoxelMap map = test::emptyMap();
+    for (int y = 0; y < 50; ++y)
+        for (int z = 0; z < 20; ++z) test::addVoxel(map, {20, y, z}, {{UNKNOWN_INSTANCE, 1}});
+    for (int x = 0; x < 20; ++x) test::addVoxel(map, {x, 0, 0}, {{UNKNOWN_INSTANCE, 1}});
+    for (int y = 0; y < 5; ++y) test::addVoxel(map, {30, y, 0}, {{UNKNOWN_INSTANCE, 1}});
+    EXPECT_NEAR(floorHeight(map, LevelFrame({-1, 0, 0})), -2.0, 1e-9);
+    EXPECT_EQ(floorHeight(SemanticVoxelMap(), LevelFrame()), 0);
+}
