@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // "Go to the nearest couch": a path by MRPT's planner, in the frame of exported gridmaps.
-#include <voxeland/answers/CategorySearch.h>
 #include <voxeland/answers/MapAnswers.h>
 #include <voxeland/level/UpDirection.h>
+#include <voxeland/map/CategorySearch.h>
 #include <voxeland/map/SmallInstances.h>
 #include <voxeland/metric_map/CVoxelandMap.h>
 #include <voxeland/metric_map/MapFile.h>

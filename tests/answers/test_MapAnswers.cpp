@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "answers/AnswersAsText.h"
 #include "exporters/TinyMap.h"
-#include "voxeland/answers/CategorySearch.h"
 #include "voxeland/answers/MapAnswers.h"
 #include "voxeland/base/errors.h"
+#include "voxeland/map/CategorySearch.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

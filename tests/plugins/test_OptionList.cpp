@@ -163,16 +163,6 @@ TEST(OptionList, WhatIsPrintedReadsBack)
     EXPECT_EQ(read.taste, written.taste);
 }
 
-TEST(NearestWord, IsTheOneWithFewestEdits)
-{
-    const std::vector<std::string> words = {"min_depth", "max_depth", "threads"};
-    EXPECT_EQ(nearestWord("max_dept", words), "max_depth");
-    EXPECT_EQ(nearestWord("MIN_DEPTH", words), "min_depth");
-    EXPECT_EQ(nearestWord("thread", words), "threads");
-    EXPECT_EQ(nearestWord("xyz", words), "");
-    EXPECT_EQ(nearestWord("anything", {}), "");
-}
-
 TEST(OptionList, RetiredKeysAreReadAndDoNothing)
 {
     int number = 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/answers/MapAnswers.h"
 
-#include "voxeland/answers/CategorySearch.h"
 #include "voxeland/level/UpDirection.h"
+#include "voxeland/map/CategorySearch.h"
 
 #include <algorithm>
 #include <limits>

@@ -5,6 +5,7 @@
 #include "files/Csv.h"
 #include "files/TextFile.h"
 #include "voxeland/base/errors.h"
+#include "voxeland/base/lowerCase.h"
 #include "voxeland/base/numbers.h"
 #include "voxeland/base/trimmed.h"
 #include "voxeland/datasets/LabelMap.h"
@@ -70,9 +71,7 @@ Columns columnsOf(const CsvRow& header)
 {
     const auto at = [&](const std::vector<std::string>& titles) -> std::optional<size_t> {
         for (size_t i = 0; i < header.fields.size(); ++i) {
-            std::string title = header.fields[i];
-            std::transform(title.begin(), title.end(), title.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            const std::string title = lowerCase(header.fields[i]);
             if (std::find(titles.begin(), titles.end(), title) != titles.end()) return i;
         }
         return std::nullopt;

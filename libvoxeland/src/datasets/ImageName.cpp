@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageName.h"
 
+#include "voxeland/base/lowerCase.h"
 #include "voxeland/base/numbers.h"
 
 #include <algorithm>
@@ -23,9 +24,7 @@ size_t endingOf(const std::string& path)
 {
     const size_t point = path.rfind('.');
     if (point == std::string::npos) return point;
-    std::string ending = path.substr(point + 1);
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = lowerCase(path.substr(point + 1));
     const bool isImage =
         isIn(ending, {"jpg", "jpeg", "png", "bmp", "tif", "tiff", "webp", "ppm", "pgm"});
     return isImage ? point : std::string::npos;

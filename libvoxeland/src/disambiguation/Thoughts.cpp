@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/disambiguation/Thoughts.h"
 
+#include "voxeland/base/lowerCase.h"
 #include "voxeland/base/trimmed.h"
 
 #include <algorithm>
@@ -29,18 +30,11 @@ constexpr const char* MARKS[][2] = {
     {"<|channel|>analysis", "assistantfinal"},
 };
 
-std::string lower(std::string text)
-{
-    const auto lowered = [](unsigned char c) { return static_cast<char>(std::tolower(c)); };
-    std::transform(text.begin(), text.end(), text.begin(), lowered);
-    return text;
-}
-
 /** Erases what stands between the marks, and a beginning that has only an end. */
 std::string withoutThoughts(const std::string& text, const std::string& begin,
                             const std::string& end)
 {
-    const std::string searched = lower(text);
+    const std::string searched = lowerCase(text);
     std::string rest;
     size_t at = 0, from = searched.find(begin);
     for (size_t to = searched.find(end); to != std::string::npos; to = searched.find(end, at)) {
@@ -61,7 +55,7 @@ std::string withoutThoughts(const std::string& answer)
     std::string text = answer;
     for (const auto& [begin, end] : MARKS) text = withoutThoughts(text, begin, end);
     for (const auto& [begin, end] : MARKS)
-        text.resize(std::min(text.size(), lower(text).find(begin)));
+        text.resize(std::min(text.size(), lowerCase(text).find(begin)));
     return trimmed(text);
 }
 }  // namespace voxeland

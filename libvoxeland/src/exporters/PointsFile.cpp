@@ -3,9 +3,9 @@
 
 #include "files/FloatDigits.h"
 #include "files/GzOutputFile.h"
-#include "voxeland/answers/CategorySearch.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/files/AtomicFile.h"
+#include "voxeland/map/CategorySearch.h"
 #include "voxeland/map/MapQueries.h"
 
 #include <mrpt/maps/CSimplePointsMap.h>

@@ -4,6 +4,7 @@
 #include "base/Reading.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/joined.h"
+#include "voxeland/base/nearestWord.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/plugins/OptionList.h"

@@ -2,9 +2,9 @@
 #include "voxeland/observations/PoseAxes.h"
 
 #include "voxeland/base/errors.h"
+#include "voxeland/base/lowerCase.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace voxeland
 {
@@ -23,11 +23,10 @@ const std::string& nameOf(PoseAxes axes)
         ->first;
 }
 
-PoseAxes poseAxesNamed(std::string name, const std::string& option)
+PoseAxes poseAxesNamed(const std::string& name, const std::string& option)
 {
-    std::transform(name.begin(), name.end(), name.begin(), ::tolower);
     for (const auto& [known, axes] : poseAxesByName())
-        if (known == name) return axes;
+        if (known == lowerCase(name)) return axes;
     throw ConfigurationError(option + " must be optical, opengl or body, not '" + name + "'");
 }
 

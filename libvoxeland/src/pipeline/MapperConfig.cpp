@@ -6,6 +6,7 @@
 #include "voxeland/base/counted.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/joined.h"
+#include "voxeland/base/nearestWord.h"
 #include "voxeland/base/printable.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "base/ClassicNumbers.h"
 #include "files/TextFile.h"
 #include "voxeland/base/errors.h"
+#include "voxeland/base/lowerCase.h"
 #include "voxeland/base/trimmed.h"
 
 #include <algorithm>
@@ -39,13 +40,11 @@ bool holdsControls(const std::string& text)
 using Identity = std::pair<std::string, std::string>;
 
 /** What identifies a key: MRPT makes no difference between large and small letters. */
-Identity identity(std::string section, std::string key)
+Identity identity(const std::string& section, const std::string& key)
 {
-    for (std::string* text : {&section, &key})
-        std::transform(text->begin(), text->end(), text->begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return {section, key};
+    return {lowerCase(section), lowerCase(key)};
 }
+
 /** MRPT's parser passes over what it does not understand, and over all but the last of values for
  * one key; this does not. */
 void checkLines(const std::string& text, const std::string& origin)

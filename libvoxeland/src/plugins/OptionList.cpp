@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/plugins/OptionList.h"
 
+#include "voxeland/base/lowerCase.h"
+#include "voxeland/base/nearestWord.h"
 #include "voxeland/base/numbers.h"
 #include "voxeland/base/printable.h"
 #include "voxeland/base/trimmed.h"
 #include "voxeland/plugins/Ini.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <ostream>
 
 namespace voxeland
@@ -18,13 +18,6 @@ namespace voxeland
 namespace
 {
 constexpr double LEAST_MAGNITUDE = 1e-30;  // of a number that is not 0
-
-std::string lowerCase(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 /** Whether a text is no more than it seems: MRPT would put nothing else in its place, and a
  * terminal shows it. */
@@ -34,37 +27,7 @@ bool isPlain(const std::string& text)
         if (text.find(begin) != std::string::npos) return false;
     return printable(text, UNCUT) == text;
 }
-
-/** Number of single-character edits between two words (Levenshtein). */
-size_t editDistance(const std::string& a, const std::string& b)
-{
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
-    for (size_t i = 1; i <= a.size(); ++i) {
-        size_t diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= b.size(); ++j) {
-            const size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-        }
-    }
-    return row.back();
-}
 }  // namespace
-
-std::string nearestWord(const std::string& misspelt, const std::vector<std::string>& words)
-{
-    std::string nearest;
-    size_t least = std::max<size_t>(2, misspelt.size() / 2) + 1;
-    for (const auto& word : words) {
-        const size_t distance = editDistance(lowerCase(misspelt), lowerCase(word));
-        if (distance >= least) continue;
-        least = distance;
-        nearest = word;
-    }
-    return nearest;
-}
 
 void OptionList::addText(const std::string& key, Printer print, Parser parse,
                          const std::string& comment)

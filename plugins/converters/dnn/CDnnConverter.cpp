@@ -5,6 +5,7 @@
 #include "voxeland/base/RegisteredClass.h"
 #include "voxeland/base/counted.h"
 #include "voxeland/base/errors.h"
+#include "voxeland/base/nearestWord.h"
 #include "voxeland/datasets/CategoryNames.h"
 #include "voxeland/files/InputFile.h"
 #include "voxeland/observations/UnusableFrame.h"

@@ -9,8 +9,8 @@ namespace voxeland
  *      IMPLEMENTS_MRPT_OBJECT(CMine, voxeland::CAssociationPolicy, mine)
  *      const voxeland::RegisteredClass<mine::CMine> REGISTERED;
  *
- *  It belongs behind IMPLEMENTS_MRPT_OBJECT in the same file, as objects of one file come to life in
- *  their order. MRPT_INITIALIZER may run before the class's id does: built by clang, it does. */
+ *  It belongs behind IMPLEMENTS_MRPT_OBJECT in the same file, as objects of one file come to life
+ * in their order. MRPT_INITIALIZER may run before the class's id does: built by clang, it does. */
 template <class Class>
 struct RegisteredClass
 {

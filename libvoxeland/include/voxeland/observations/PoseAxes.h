@@ -24,7 +24,7 @@ const std::string& nameOf(PoseAxes axes);
 
 /** The axes of a name, in any case. \param option that gives it, for the message
  *  \throws ConfigurationError, naming the option and all names, if there are none */
-PoseAxes poseAxesNamed(std::string name, const std::string& option);
+PoseAxes poseAxesNamed(const std::string& name, const std::string& option);
 
 /** Pose of such axes in a sensor with MRPT's axes (x forward, y left, z up). */
 mrpt::poses::CPose3D poseOfAxes(PoseAxes axes);

@@ -117,7 +117,4 @@ class OptionList
     std::vector<Option> m_options;
     std::vector<std::string> m_retired, m_leftToUser;
 };
-
-/** Of some words the one most like a misspelt one; empty if none is near. */
-std::string nearestWord(const std::string& misspelt, const std::vector<std::string>& words);
 }  // namespace voxeland

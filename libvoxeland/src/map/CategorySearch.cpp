@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/answers/CategorySearch.h"
+#include "voxeland/map/CategorySearch.h"
 
 #include "base/plural.h"
-#include "voxeland/plugins/OptionList.h"
+#include "voxeland/base/nearestWord.h"
 
 #include <algorithm>
 #include <cctype>
