@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "answers/AnswersAsText.h"
-#include "exporters/TinyMap.h"
+#include "support/TinyMap.h"
 #include "voxeland/answers/MapAnswers.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/map/CategorySearch.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Files read back by the rules of the glTF 2.0 specification, with nothing of the writer's. */
-#include "TinyMap.h"
 #include "exporters/GlbFile.h"
 #include "pictures/Colors.h"
 #include "support/TestFiles.h"
+#include "support/TinyMap.h"
 #include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>

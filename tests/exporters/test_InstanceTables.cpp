@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TinyMap.h"
 #include "exporters/InstancesCsv.h"
 #include "exporters/InstancesJson.h"
 #include "support/TestFiles.h"
+#include "support/TinyMap.h"
 #include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Scenes read back with MRPT. */
-#include "TinyMap.h"
 #include "exporters/MapScene.h"
 #include "pictures/Colors.h"
 #include "support/TestFiles.h"
+#include "support/TinyMap.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/level/LevelFrame.h"
 

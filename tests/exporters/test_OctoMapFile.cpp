@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Files read back with the OctoMap library. */
-#include "TinyMap.h"
 #include "exporters/OctoMapFile.h"
 #include "support/TestFiles.h"
+#include "support/TinyMap.h"
 #include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Points read back with MRPT. */
-#include "TinyMap.h"
 #include "exporters/PointsFile.h"
 #include "support/TestFiles.h"
+#include "support/TinyMap.h"
 #include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "exporters/TinyMap.h"
 #include "grid/RayTraversal.h"
+#include "support/TinyMap.h"
 #include "voxeland/level/UpDirection.h"
 
 #include <gtest/gtest.h>

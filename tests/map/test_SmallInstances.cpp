@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "exporters/TinyMap.h"
+#include "support/TinyMap.h"
 #include "voxeland/map/MapQueries.h"
 #include "voxeland/map/SmallInstances.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The same frames near the origin of the world and at coordinates as of UTM. */
 #include "exporters/GlbFile.h"
+#include "exporters/GridFiles.h"
 #include "exporters/MapPly.h"
 #include "exporters/MapScene.h"
 #include "exporters/OctoMapFile.h"
 #include "exporters/PointsFile.h"
-#include "level/HeightSlice.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
 #include "voxeland/answers/MapAnswers.h"

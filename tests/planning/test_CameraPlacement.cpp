@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "exporters/TinyMap.h"
+#include "support/TinyMap.h"
 #include "planning/CameraPlacement.h"
 #include "planning/Reobservation.h"
 

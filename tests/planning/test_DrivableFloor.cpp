@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** A room made by hand: 4 m by 4 m of observed floor with a box and a wall on it. */
-#include "exporters/TinyMap.h"
+#include "support/TinyMap.h"
 #include "voxeland/planning/DrivableFloor.h"
 
 #include <gtest/gtest.h>

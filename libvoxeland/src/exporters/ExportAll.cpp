@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/exporters/ExportAll.h"
 
-#include "InstancesCsv.h"
-#include "InstancesJson.h"
-#include "MapPly.h"
-#include "pictures/MapViews.h"
 #include "voxeland/base/errors.h"
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/files/AtomicFile.h"
 #include "voxeland/files/OutputFolder.h"
 #include "voxeland/level/UpDirection.h"
@@ -21,19 +18,14 @@ void checkExportFolder(const std::string& folder)
 void exportAll(const SemanticVoxelMap& map, const std::string& folder, WrittenFiles& written)
 {
     makeOutputFolder(folder);
-    const LevelFrame frame(estimateUp(map));
-    const auto write = [&](const char* name, const auto& exporter) {
-        const std::string file = folder + "/" + name;
-        exporter(file);
-        written.add(file);
-    };
-    ViewOptions options;
-    options.up = frame.axes()[2];
+    ExportSettings settings;
+    settings.frame = LevelFrame(estimateUp(map));
     try {
-        write("map.ply", [&](const std::string& file) { exportPly(map, file); });
-        write("instances.json", [&](const std::string& file) { exportJson(map, frame, file); });
-        write("instances.csv", [&](const std::string& file) { exportCsv(map, frame, file); });
-        exportViews(map, folder, written, options);
+        for (const Exporter& exporter : exporters())
+            if (exporter.nameInAll) {
+                const std::string& name = *exporter.nameInAll;
+                exporter.write(map, settings, name.empty() ? folder : folder + "/" + name, written);
+            }
     } catch (const OutputError& e) {
         throw OutputError(e.what() + written.told());
     }

@@ -230,4 +230,17 @@ void exportGlb(const SemanticVoxelMap& map, const LevelFrame& frame, const std::
         for (const Part& part : parts) writeBuffer(part, map.resolution(), out);
     });
 }
+
+Exporter glbExporter()
+{
+    Exporter e{"glb", "FILE.glb",
+               "Binary glTF: voxels as a coloured mesh, a node for each instance"};
+    e.endings = {".glb"};
+    e.write = [](const SemanticVoxelMap& map, const ExportSettings& settings,
+                 const std::string& file, WrittenFiles& written) {
+        exportGlb(map, settings.frame, file);
+        written.add(file);
+    };
+    return e;
+}
 }  // namespace voxeland

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/level/LevelFrame.h"
 
 #include <string>
@@ -13,4 +14,7 @@ namespace voxeland
  * so that up is +y, as glTF wants it. \param frame tells where up is \throws ConfigurationError for
  * a map of more than 4 GB of faces \throws OutputError if the file cannot be written */
 void exportGlb(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
+
+/** exportGlb(). */
+Exporter glbExporter();
 }  // namespace voxeland

@@ -40,4 +40,17 @@ void exportCsv(const SemanticVoxelMap& map, const LevelFrame& frame, const std::
         }
     });
 }
+
+Exporter csvExporter()
+{
+    Exporter e{"csv", "FILE", "Table of the instances"};
+    e.endings = {".csv"};
+    e.nameInAll = "instances.csv";
+    e.write = [](const SemanticVoxelMap& map, const ExportSettings& settings,
+                 const std::string& file, WrittenFiles& written) {
+        exportCsv(map, settings.frame, file);
+        written.add(file);
+    };
+    return e;
+}
 }  // namespace voxeland

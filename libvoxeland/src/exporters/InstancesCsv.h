@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/level/LevelFrame.h"
 
 #include <string>
@@ -12,4 +13,7 @@ namespace voxeland
  *  box), box_x|y|z, box_length, box_width, box_height, box_yaw (OrientedBox). Metres, radians,
  *  nats. \param frame tells where up is \throws OutputError if the file cannot be written */
 void exportCsv(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
+
+/** exportCsv(). */
+Exporter csvExporter();
 }  // namespace voxeland

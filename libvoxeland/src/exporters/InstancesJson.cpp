@@ -88,4 +88,17 @@ void exportJson(const SemanticVoxelMap& map, const LevelFrame& frame, const std:
 {
     writeAtomically(file, instancesAsJson(map, frame));
 }
+
+Exporter jsonExporter()
+{
+    Exporter e{"json", "FILE", "Instances with evidence, probabilities, entropies and boxes"};
+    e.endings = {".json"};
+    e.nameInAll = "instances.json";
+    e.write = [](const SemanticVoxelMap& map, const ExportSettings& settings,
+                 const std::string& file, WrittenFiles& written) {
+        exportJson(map, settings.frame, file);
+        written.add(file);
+    };
+    return e;
+}
 }  // namespace voxeland

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/level/LevelFrame.h"
 
 #include <string>
@@ -29,4 +30,7 @@ std::string instancesAsJson(const SemanticVoxelMap& map, const LevelFrame& frame
 
 /** Writes instancesAsJson() to a file. \throws OutputError if that fails */
 void exportJson(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
+
+/** exportJson(). */
+Exporter jsonExporter();
 }  // namespace voxeland

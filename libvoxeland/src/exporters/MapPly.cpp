@@ -153,4 +153,29 @@ void exportPlyPerInstance(const SemanticVoxelMap& map, const std::string& folder
         written.add(file);
     }
 }
+
+Exporter plyExporter()
+{
+    Exporter e{
+        "ply", "FILE",
+        "Voxels as a binary point cloud with instance, category, occupancy and uncertainties"};
+    e.endings = {".ply"};
+    e.nameInAll = "map.ply";
+    e.write = [](const SemanticVoxelMap& map, const ExportSettings& settings,
+                 const std::string& file, WrittenFiles& written) {
+        exportPly(map, file, settings.occupiedOnly);
+        written.add(file);
+    };
+    return e;
+}
+
+Exporter plyPerInstanceExporter()
+{
+    Exporter e{"per-instance", "DIR", "Folder for a PLY of each instance"};
+    e.write = [](const SemanticVoxelMap& map, const ExportSettings& settings,
+                 const std::string& folder, WrittenFiles& written) {
+        exportPlyPerInstance(map, folder, written, settings.occupiedOnly);
+    };
+    return e;
+}
 }  // namespace voxeland

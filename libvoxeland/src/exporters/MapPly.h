@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/files/WrittenFiles.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
@@ -31,4 +32,8 @@ void exportPly(const SemanticVoxelMap& map, const std::string& file, bool occupi
  *  \throws OutputError if one of them cannot be written */
 void exportPlyPerInstance(const SemanticVoxelMap& map, const std::string& folder,
                           WrittenFiles& written, bool occupiedOnly = true);
+
+/** exportPly() and exportPlyPerInstance(). */
+Exporter plyExporter();
+Exporter plyPerInstanceExporter();
 }  // namespace voxeland

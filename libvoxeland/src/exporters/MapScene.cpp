@@ -98,4 +98,17 @@ void exportScene(const SemanticVoxelMap& map, const LevelFrame& frame, const std
     setIntensity(lights.specular, 0);
     writeAtomically(file, scene);
 }
+
+Exporter sceneExporter()
+{
+    Exporter e{"scene", "FILE.3Dscene",
+               "Voxels, boxes and names of instances for MRPT's SceneViewer3D"};
+    e.endings = {".3Dscene"};
+    e.write = [](const SemanticVoxelMap& map, const ExportSettings& settings,
+                 const std::string& file, WrittenFiles& written) {
+        exportScene(map, settings.frame, file);
+        written.add(file);
+    };
+    return e;
+}
 }  // namespace voxeland

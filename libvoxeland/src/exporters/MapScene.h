@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <mrpt/opengl/opengl_frwds.h>
@@ -24,4 +25,7 @@ std::shared_ptr<mrpt::opengl::COctoMapVoxels> voxelCubes(const SemanticVoxelMap&
  *  itself turned so that up is the scene's z axis.
  *  \param frame tells where up is \throws OutputError if the file cannot be written */
 void exportScene(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
+
+/** exportScene(). */
+Exporter sceneExporter();
 }  // namespace voxeland

@@ -70,4 +70,16 @@ void exportOctoMap(const SemanticVoxelMap& map, const std::string& file)
             tree.write(out);
     });
 }
+
+Exporter octoMapExporter()
+{
+    Exporter e{"octomap", "FILE.bt", "Occupancy as an OctoMap (.bt, or .ot with probabilities)"};
+    e.endings = {".bt", ".ot"};
+    e.write = [](const SemanticVoxelMap& map, const ExportSettings&, const std::string& file,
+                 WrittenFiles& written) {
+        exportOctoMap(map, file);
+        written.add(file);
+    };
+    return e;
+}
 }  // namespace voxeland

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <string>
@@ -11,4 +12,7 @@ namespace voxeland
  *  \throws ConfigurationError for another ending, or a map wider than an OctoMap can be (65536
  *  voxels); OutputError if the file cannot be written */
 void exportOctoMap(const SemanticVoxelMap& map, const std::string& file);
+
+/** exportOctoMap(). */
+Exporter octoMapExporter();
 }  // namespace voxeland

@@ -95,4 +95,21 @@ size_t exportPoints(const SemanticVoxelMap& map, const PointsFilter& filter,
         writeAtomically(file, sceneOf(points));
     return points.size();
 }
+
+Exporter pointsExporter()
+{
+    Exporter e{"points", "FILE",
+               "Centres of voxels as an MRPT points map (.txt, .metricmap or .3Dscene)"};
+    e.endings = {".txt", ".metricmap", ".3Dscene"};
+    e.takesHeights = e.takesCategories = true;
+    e.write = [](const SemanticVoxelMap& map, const ExportSettings& settings,
+                 const std::string& file, WrittenFiles& written) {
+        PointsFilter filter{settings.categories, settings.except, settings.frame, {}};
+        if (settings.heights) filter.heights = heightsInFrame(map, settings, {});
+        if (exportPoints(map, filter, file) == 0)
+            settings.warn("no voxel is of these categories and heights");
+        written.add(file);
+    };
+    return e;
+}
 }  // namespace voxeland

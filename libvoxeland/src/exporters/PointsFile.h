@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/level/LevelFrame.h"
 
 #include <set>
@@ -35,4 +36,7 @@ mrpt::maps::CSimplePointsMap pointsOf(const SemanticVoxelMap& map, const PointsF
  *  \throws ConfigurationError for another ending, OutputError if the file cannot be written */
 size_t exportPoints(const SemanticVoxelMap& map, const PointsFilter& filter,
                     const std::string& file);
+
+/** exportPoints() of what the settings choose. */
+Exporter pointsExporter();
 }  // namespace voxeland

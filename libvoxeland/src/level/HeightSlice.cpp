@@ -2,18 +2,13 @@
 #include "HeightSlice.h"
 
 #include "files/FloatDigits.h"
-#include "files/GzOutputFile.h"
 #include "voxeland/base/errors.h"
-#include "voxeland/base/numbers.h"
-#include "voxeland/files/AtomicFile.h"
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
-namespace fs = std::filesystem;
 using mrpt::math::TPoint3D;
 
 namespace voxeland
@@ -121,40 +116,5 @@ mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice)
             grid.setCell(static_cast<int>(column), static_cast<int>(row),
                          1 - slice.occupancy[row * slice.columns + column]);
     return grid;
-}
-
-void exportGridmap(const HeightSlice& slice, const std::string& file)
-{
-    writeAtomically(file, gridOf(slice));
-}
-
-std::string rosImageOf(const std::string& yamlFile)
-{
-    const fs::path yaml(yamlFile);
-    if (yaml.extension() != ".yaml")
-        throw ConfigurationError("'" + yamlFile + "' must end in .yaml");
-    return fs::path(yaml).replace_extension(".pgm").string();
-}
-
-void exportRosMap(const HeightSlice& slice, const std::string& yamlFile, WrittenFiles& written)
-{
-    const std::string image = rosImageOf(yamlFile);
-    writeAtomically(image, [&](std::ostream& out) {
-        out << "P5\n" << slice.columns << " " << slice.rows << "\n255\n";
-        for (size_t row = slice.rows; row-- > 0;)
-            for (size_t column = 0; column < slice.columns; ++column) {
-                constexpr unsigned char OCCUPIED = 0, FREE = 254, UNKNOWN = 205;
-                const float p = slice.occupancy[row * slice.columns + column];
-                out.put(static_cast<char>(p > 0.5F ? OCCUPIED : p < 0.5F ? FREE : UNKNOWN));
-            }
-    });
-    written.add(image);
-    writeAtomically(yamlFile, [&](std::ostream& out) {
-        out << "image: " << fs::path(image).filename().string()
-            << "\nresolution: " << numberText(slice.resolution) << "\norigin: ["
-            << metresText(slice.minX) << ", " << metresText(slice.minY) << ", 0.0]"
-            << "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-    });
-    written.add(yamlFile);
 }
 }  // namespace voxeland

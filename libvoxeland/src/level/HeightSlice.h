@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/files/WrittenFiles.h"
 #include "voxeland/level/LevelFrame.h"
 
 #include <string>
@@ -38,18 +37,4 @@ HeightSlice inWorld(HeightSlice slice, const SemanticVoxelMap& map);
 /** A slice for MRPT's planners, in the frame of the slice.
  *  \throws ConfigurationError where floats lack the digits for its place */
 mrpt::maps::COccupancyGridMap2D gridOf(const HeightSlice& slice);
-
-/** Writes gridOf() serialized and compressed (.gridmap, as MRPT's programs read it). \throws
- * OutputError if that fails */
-void exportGridmap(const HeightSlice& slice, const std::string& file);
-
-/** The image beside a YAML file of ROS's map_server: the same name, ending in .pgm.
- *  \throws ConfigurationError unless the name ends in .yaml */
-std::string rosImageOf(const std::string& yamlFile);
-
-/** Writes a slice for ROS's map_server: a YAML file, and its image, rosImageOf().
- *  Cells likelier occupied than free are black, the others white, those never observed grey.
- *  \param written the two are added to it as they are completed: the image first
- *  \throws ConfigurationError for another ending, OutputError if a file cannot be written */
-void exportRosMap(const HeightSlice& slice, const std::string& yamlFile, WrittenFiles& written);
 }  // namespace voxeland

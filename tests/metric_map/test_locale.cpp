@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Files and answers are the same in a process whose numbers have decimal commas. */
-#include "TinyMap.h"
 #include "answers/AnswersAsText.h"
 #include "exporters/GlbFile.h"
+#include "exporters/GridFiles.h"
 #include "exporters/MapScene.h"
 #include "exporters/OctoMapFile.h"
-#include "level/HeightSlice.h"
 #include "observations/Trajectory.h"
 #include "pipeline/TimingLog.h"
 #include "support/GermanNumbers.h"
 #include "support/TestFiles.h"
+#include "support/TinyMap.h"
 #include "voxeland/exporters/ExportAll.h"
 #include "voxeland/level/UpDirection.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
