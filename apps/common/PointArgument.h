@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <mrpt/math/TPoint3D.h>
 

@@ -20,7 +20,7 @@
 #include "voxeland/base/counted.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/printable.h"
-#include "voxeland/disambiguation/Asking.h"
+#include "voxeland/disambiguation/DisambiguationRun.h"
 #include "voxeland/files/AtomicFile.h"
 #include "voxeland/level/UpDirection.h"
 #include "voxeland/metric_map/CVoxelandMap.h"
@@ -197,7 +197,7 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
     apps::Progress progress("questions", questions.size(), !arguments.quiet());
     size_t done = 0;
     const apps::Interruption interruption;
-    Asking asking(config.disambiguator, std::move(questions), config.disambiguation);
+    DisambiguationRun asking(config.disambiguator, std::move(questions), config.disambiguation);
     while (auto outcomes = asking.next()) {
         for (QuestionOutcome& o : *outcomes) {
             if (o.decision) {

@@ -174,9 +174,10 @@ class Attempts
     }};
 };
 
-/** Heights asked for, or else these, in the level frame. Says on stderr where they are. */
-HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame,
-                      HeightRange heights)
+/** Heights asked for, or else these, in the gravity-aligned frame. Says on stderr where they are.
+ */
+HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map,
+                      const GravityAlignedFrame& frame, HeightRange heights)
 {
     if (arguments.height.isSet())
         heights = apps::parseHeights("height", arguments.height.getValue());
@@ -198,7 +199,7 @@ void writePly(Arguments& arguments, const SemanticVoxelMap& map, WrittenFiles& w
         exportPlyPerInstance(map, arguments.perInstance.getValue(), written, occupiedOnly);
 }
 
-void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame,
+void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                 Attempts& attempts)
 {
     if (!arguments.gridmap.isSet() && !arguments.rosMap.isSet()) return;
@@ -226,8 +227,8 @@ bool isInMap(const SemanticVoxelMap& map, const std::string& name)
                        [&](const InstanceSummary& s) { return fits(s.category()); });
 }
 
-void writePoints(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame,
-                 WrittenFiles& written)
+void writePoints(Arguments& arguments, const SemanticVoxelMap& map,
+                 const GravityAlignedFrame& frame, WrittenFiles& written)
 {
     PointsFilter filter;
     filter.frame = frame;
@@ -253,7 +254,7 @@ void writeFile(TCLAP::ValueArg<std::string>& output, Attempts& attempts,
     });
 }
 
-void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const LevelFrame& frame)
+void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const GravityAlignedFrame& frame)
 {
     Attempts attempts;
     attempts.attempt([&] { writePly(arguments, map, attempts.written()); });
@@ -334,9 +335,9 @@ int run(int argc, char** argv)
 
     const auto loaded = loadMap(arguments.map.getValue());
     if (arguments.minVoxels.isSet())
-        dismissSmallInstances(loaded->editMap(), arguments.minVoxels.getValue());
+        deactivateSmallInstances(loaded->editMap(), arguments.minVoxels.getValue());
     const SemanticVoxelMap& map = loaded->map();
-    writeAll(arguments, map, LevelFrame(up ? *up : estimateUp(map)));
+    writeAll(arguments, map, GravityAlignedFrame(up ? *up : estimateUp(map)));
     return 0;
 }
 }  // namespace

@@ -145,9 +145,9 @@ std::string reobservation(Arguments& arguments, const SemanticVoxelMap& map)
 {
     CarriedCamera camera;
     camera.height = arguments.cameraHeight.getValue();
-    const LevelFrame frame(arguments.up.isSet()
-                               ? apps::parseDirection("up", arguments.up.getValue())
-                               : estimateUp(map));
+    const GravityAlignedFrame frame(arguments.up.isSet()
+                                        ? apps::parseDirection("up", arguments.up.getValue())
+                                        : estimateUp(map));
     const auto targets = planReobservation(map, frame, camera, arguments.most.getValue());
     return arguments.json.isSet() ? asJson(targets) : asText(targets);
 }
@@ -186,7 +186,7 @@ int run(int argc, char** argv)
     check(arguments);
     const auto loaded = loadMap(arguments.map.getValue());
     if (arguments.minVoxels.isSet())
-        dismissSmallInstances(loaded->editMap(), arguments.minVoxels.getValue());
+        deactivateSmallInstances(loaded->editMap(), arguments.minVoxels.getValue());
     std::cout << answer(arguments, *loaded);
     return 0;
 }

@@ -114,7 +114,7 @@ int run(int argc, char** argv)
     const auto loaded = loadMap(arguments.map.getValue());
     options.evaluation = evaluationOf(arguments, loaded->map());
     SemanticVoxelMap map = loaded->map();
-    if (arguments.minVoxels.isSet()) dismissSmallInstances(map, arguments.minVoxels.getValue());
+    if (arguments.minVoxels.isSet()) deactivateSmallInstances(map, arguments.minVoxels.getValue());
     const std::string page = reportAsHtml(map, loaded->counts(), options, three);
     writeAtomically(output, [&](std::ostream& out) { out << page; });
     std::cout << "written: " << printable(output, UNCUT) << "\n";

@@ -79,7 +79,7 @@ try {
     const std::string what = argv[2];
     const auto file = voxeland::loadMap(argv[1]);
     voxeland::SemanticVoxelMap& map = file->editMap();
-    voxeland::dismissSmallInstances(map, 10);  // specks are no places to go to
+    voxeland::deactivateSmallInstances(map, 10);  // specks are no places to go to
     const auto objects = voxeland::findInstances(map, what, {start.x, start.y, 0});
     if (objects.empty()) {
         std::string known;
@@ -87,7 +87,7 @@ try {
             known += (known.empty() ? "" : ", ") + c.first;
         throw std::runtime_error(whyNoneIsFound(map, what) + "; it holds: " + known);
     }
-    const voxeland::DrivableFloor floor(map, voxeland::LevelFrame(estimateUp(map)), ROBOT);
+    const voxeland::DrivableFloor floor(map, voxeland::GravityAlignedFrame(estimateUp(map)), ROBOT);
     if (!floor.fits(start)) throw std::runtime_error("the robot does not fit where it starts");
     const Way way = wayToNearest(objects, floor, start);
     if (argc > 5) draw(floor.grid(), way, argv[5]);

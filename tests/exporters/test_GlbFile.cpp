@@ -118,7 +118,7 @@ Solid measure(const Glb& glb, const json& node)
     return solid;
 }
 
-Glb exported(const SemanticVoxelMap& map, const LevelFrame& frame = LevelFrame())
+Glb exported(const SemanticVoxelMap& map, const GravityAlignedFrame& frame = GravityAlignedFrame())
 {
     const TemporaryFolder folder;
     exportGlb(map, frame, folder.file("m.glb"));
@@ -207,7 +207,7 @@ TEST(GlbFile, materialsHaveTheColoursOfInstances)
 /** glTF's y axis is up, and what is ahead of a camera (its -z) is away from the viewer. */
 TEST(GlbFile, theRootTurnsUpToY)
 {
-    const auto turned = [](const LevelFrame& frame, const Vector& p) {
+    const auto turned = [](const GravityAlignedFrame& frame, const Vector& p) {
         const json m = exported(twoBlocks(), frame).document["nodes"][0]["matrix"];
         Vector result{};
         for (size_t row = 0; row < 3; ++row)
@@ -215,8 +215,8 @@ TEST(GlbFile, theRootTurnsUpToY)
                 result[row] += m[4 * column + row].get<double>() * p[column];
         return result;
     };
-    EXPECT_EQ(turned(LevelFrame(), {1, 2, 3}), (Vector{1, 3, -2}));
-    EXPECT_EQ(turned(LevelFrame({0, -1, 0}), {1, 2, 3}), (Vector{1, -2, -3}));
+    EXPECT_EQ(turned(GravityAlignedFrame(), {1, 2, 3}), (Vector{1, 3, -2}));
+    EXPECT_EQ(turned(GravityAlignedFrame({0, -1, 0}), {1, 2, 3}), (Vector{1, -2, -3}));
 }
 
 TEST(GlbFile, whatBelongsToNoneIsUnknown)
@@ -231,5 +231,6 @@ TEST(GlbFile, emptyMapsAndUnwritableFiles)
     const Glb glb = exported(SemanticVoxelMap());
     EXPECT_FALSE(glb.document.contains("buffers"));
     EXPECT_FALSE(glb.document.contains("meshes"));
-    EXPECT_THROW(exportGlb(twoBlocks(), LevelFrame(), "/no/such/folder/m.glb"), OutputError);
+    EXPECT_THROW(exportGlb(twoBlocks(), GravityAlignedFrame(), "/no/such/folder/m.glb"),
+                 OutputError);
 }

@@ -35,7 +35,7 @@ void expectHall(const Grid& grid)
 TEST(GridFiles, mrptReadsTheGridmap)
 {
     const TemporaryFolder folder;
-    exportGridmap(sliceOf(levelHall(), LevelFrame(), BODY), folder.file("h.gridmap"));
+    exportGridmap(sliceOf(levelHall(), GravityAlignedFrame(), BODY), folder.file("h.gridmap"));
     mrpt::io::CFileGZInputStream in(folder.file("h.gridmap"));
     COccupancyGridMap2D grid;
     mrpt::serialization::archiveFrom(in) >> grid;
@@ -49,7 +49,7 @@ TEST(GridFiles, mrptReadsTheRosMap)
     SemanticVoxelMap map = levelHall();
     test::addVoxel(map, {-3, -2, 3}, {{UNKNOWN_INSTANCE, 1}});
     WrittenFiles written;
-    exportRosMap(sliceOf(map, LevelFrame(), BODY), folder.file("h.yaml"), written);
+    exportRosMap(sliceOf(map, GravityAlignedFrame(), BODY), folder.file("h.yaml"), written);
     EXPECT_EQ(written.names(),
               (std::vector<std::string>{folder.file("h.pgm"), folder.file("h.yaml")}));
     COccupancyGridMap2D grid;
@@ -66,7 +66,7 @@ TEST(GridFiles, mrptReadsTheRosMap)
 
 TEST(GridFiles, unwritable)
 {
-    const HeightSlice slice = sliceOf(levelHall(), LevelFrame(), BODY);
+    const HeightSlice slice = sliceOf(levelHall(), GravityAlignedFrame(), BODY);
     EXPECT_THROW(exportGridmap(slice, "/no/such/folder/h.gridmap"), OutputError);
     WrittenFiles written;
     EXPECT_THROW(exportRosMap(slice, "/no/such/folder/h.yaml", written), OutputError);

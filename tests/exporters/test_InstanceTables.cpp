@@ -25,7 +25,7 @@ void expectPoint(const json& actual, const std::array<double, 3>& expected)
 TEST(InstancesJson, hasUpstreamsLayoutAndOurs)
 {
     const TemporaryFolder folder;
-    exportJson(tinyMap(), LevelFrame(), folder.file("i.json"));
+    exportJson(tinyMap(), GravityAlignedFrame(), folder.file("i.json"));
     const json all = json::parse(test::readFile(folder.file("i.json")));
     EXPECT_EQ(all["map"]["resolution"], 0.1);
     EXPECT_EQ(all["map"]["entropy_measure"], "expected");
@@ -56,7 +56,7 @@ TEST(InstancesJson, bytesThatAreNoTextDoNotStopIt)
 {
     SemanticVoxelMap map = tinyMap();
     map.categories().add("\xff");
-    EXPECT_TRUE(json::accept(instancesAsJson(map, LevelFrame())));
+    EXPECT_TRUE(json::accept(instancesAsJson(map, GravityAlignedFrame())));
 }
 
 TEST(InstancesCsv, oneLineAnInstance)
@@ -64,7 +64,7 @@ TEST(InstancesCsv, oneLineAnInstance)
     SemanticVoxelMap map = tinyMap();
     test::addVoxel(map, {2, 2, 2}, {{test::addInstance(map, {{"cup, \"big\"", 1}}), 5}});
     const TemporaryFolder folder;
-    exportCsv(map, LevelFrame(), folder.file("i.csv"));
+    exportCsv(map, GravityAlignedFrame(), folder.file("i.csv"));
     EXPECT_EQ(test::readFile(folder.file("i.csv")),
               "id,category,probability,entropy,vacuity,geometric_entropy,observations,voxels,"
               "centroid_x,centroid_y,centroid_z,min_x,min_y,min_z,max_x,max_y,max_z,"
@@ -79,6 +79,6 @@ TEST(InstancesCsv, oneLineAnInstance)
 
 TEST(InstanceTables, unwritable)
 {
-    EXPECT_THROW(exportJson(tinyMap(), LevelFrame(), "/no/such/folder/a"), OutputError);
-    EXPECT_THROW(exportCsv(tinyMap(), LevelFrame(), "/dev/full"), OutputError);
+    EXPECT_THROW(exportJson(tinyMap(), GravityAlignedFrame(), "/no/such/folder/a"), OutputError);
+    EXPECT_THROW(exportCsv(tinyMap(), GravityAlignedFrame(), "/dev/full"), OutputError);
 }

@@ -5,7 +5,7 @@
 #include "support/TestFiles.h"
 #include "support/TinyMap.h"
 #include "voxeland/base/errors.h"
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
@@ -33,7 +33,7 @@ TEST(MapScene, cubesHaveTheColoursOfInstances)
 TEST(MapScene, isLevelAndNamesTheInstances)
 {
     const TemporaryFolder folder;
-    exportScene(tinyMap(), LevelFrame({0, -1, 0}), folder.file("m.3Dscene"));
+    exportScene(tinyMap(), GravityAlignedFrame({0, -1, 0}), folder.file("m.3Dscene"));
     mrpt::opengl::COpenGLScene scene;
     ASSERT_TRUE(scene.loadFromFile(folder.file("m.3Dscene")));
     EXPECT_NE(scene.getByName("1 chair"), nullptr);
@@ -48,6 +48,8 @@ TEST(MapScene, isLevelAndNamesTheInstances)
 TEST(MapScene, emptyAndUnwritable)
 {
     const TemporaryFolder folder;
-    EXPECT_NO_THROW(exportScene(SemanticVoxelMap(), LevelFrame(), folder.file("e.3Dscene")));
-    EXPECT_THROW(exportScene(tinyMap(), LevelFrame(), "/no/such/folder/m.3Dscene"), OutputError);
+    EXPECT_NO_THROW(
+        exportScene(SemanticVoxelMap(), GravityAlignedFrame(), folder.file("e.3Dscene")));
+    EXPECT_THROW(exportScene(tinyMap(), GravityAlignedFrame(), "/no/such/folder/m.3Dscene"),
+                 OutputError);
 }

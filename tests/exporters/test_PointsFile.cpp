@@ -72,7 +72,7 @@ TEST(PointsFile, someHeights)
     PointsFilter filter;
     filter.heights = {0, 1};
     EXPECT_EQ(filtered(filter).size(), 2U) << "one voxel is below the origin";
-    filter.frame = LevelFrame({0, -1, 0});
+    filter.frame = GravityAlignedFrame({0, -1, 0});
     EXPECT_EQ(filtered(filter).size(), 1U);
 }
 

@@ -262,7 +262,7 @@ class FailingExports : public FailingCalls
 
     void exportAllFormats(const SemanticVoxelMap& map) const
     {
-        const LevelFrame frame(estimateUp(map));
+        const GravityAlignedFrame frame(estimateUp(map));
         const auto file = [&](const char* name) { return m_outputs.file(name); };
         exportPly(map, file("a.ply"));
         exportJson(map, frame, file("a.json"));

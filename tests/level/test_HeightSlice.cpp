@@ -18,33 +18,33 @@ constexpr HeightRange BODY = {0.1, 1.0};
 
 TEST(HeightSlice, theMostOccupiedVoxelOfAColumnDecides)
 {
-    const HeightSlice slice = sliceOf(levelHall(), LevelFrame(), BODY);
+    const HeightSlice slice = sliceOf(levelHall(), GravityAlignedFrame(), BODY);
     ASSERT_EQ(slice.columns, 8U);
     ASSERT_EQ(slice.rows, 8U);
     EXPECT_NEAR(slice.occupancy[5 * 8 + 2], 0.95, 1e-3);
     EXPECT_NEAR(slice.occupancy[1 * 8 + 6], 0.4, 1e-3);
     EXPECT_NEAR(slice.occupancy[0], 0.2, 1e-3);
-    const HeightSlice low = sliceOf(levelHall(), LevelFrame(), {0.01, 0.05});
+    const HeightSlice low = sliceOf(levelHall(), GravityAlignedFrame(), {0.01, 0.05});
     EXPECT_NEAR(low.occupancy[0], 0.9, 1e-3) << "the floor";
-    EXPECT_THROW(sliceOf(levelHall(), LevelFrame(), {5, 6}), ConfigurationError);
+    EXPECT_THROW(sliceOf(levelHall(), GravityAlignedFrame(), {5, 6}), ConfigurationError);
 }
 
 TEST(HeightSlice, heightsFarBeyondTheMapAreItsOwn)
 {
     constexpr double INF = std::numeric_limits<double>::infinity();
     const auto map = levelHall();
-    const HeightSlice all = sliceOf(map, LevelFrame(), {-1, 2});
-    EXPECT_EQ(sliceOf(map, LevelFrame(), {-1e300, 1e6}).occupancy, all.occupancy);
-    EXPECT_EQ(sliceOf(map, LevelFrame(), {-INF, INF}).occupancy, all.occupancy);
-    EXPECT_EQ(sliceOf(map, LevelFrame(), {0.1, 1e9}).occupancy,
-              sliceOf(map, LevelFrame(), {0.1, 2}).occupancy);
+    const HeightSlice all = sliceOf(map, GravityAlignedFrame(), {-1, 2});
+    EXPECT_EQ(sliceOf(map, GravityAlignedFrame(), {-1e300, 1e6}).occupancy, all.occupancy);
+    EXPECT_EQ(sliceOf(map, GravityAlignedFrame(), {-INF, INF}).occupancy, all.occupancy);
+    EXPECT_EQ(sliceOf(map, GravityAlignedFrame(), {0.1, 1e9}).occupancy,
+              sliceOf(map, GravityAlignedFrame(), {0.1, 2}).occupancy);
 }
 
 TEST(HeightSlice, whatIsNotObservedIsNeitherFreeNorOccupied)
 {
     SemanticVoxelMap map = levelHall();
     test::addVoxel(map, {10, 0, 3}, {{UNKNOWN_INSTANCE, 1}});
-    const HeightSlice slice = sliceOf(map, LevelFrame(), BODY);
+    const HeightSlice slice = sliceOf(map, GravityAlignedFrame(), BODY);
     ASSERT_EQ(slice.columns, 11U);
     EXPECT_EQ(slice.occupancy[9], 0.5F);
     EXPECT_GT(slice.occupancy[10], 0.5F);
@@ -54,15 +54,15 @@ TEST(HeightSlice, whatIsNotObservedIsNeitherFreeNorOccupied)
 TEST(HeightSlice, isLevelWhateverTheMapsAxes)
 {
     const auto map = hall([](int x, int y, int z) { return VoxelCoord{x, -1 - z, y}; });
-    const HeightSlice slice = sliceOf(map, LevelFrame({0, -1, 0}), BODY);
-    EXPECT_EQ(slice.occupancy, sliceOf(levelHall(), LevelFrame(), BODY).occupancy);
+    const HeightSlice slice = sliceOf(map, GravityAlignedFrame({0, -1, 0}), BODY);
+    EXPECT_EQ(slice.occupancy, sliceOf(levelHall(), GravityAlignedFrame(), BODY).occupancy);
     EXPECT_NEAR(slice.minX, 0, 1e-9);
     EXPECT_NEAR(slice.minY, 0, 1e-9);
 }
 
 TEST(HeightSlice, aTiltedFrameLeavesNoHoles)
 {
-    const LevelFrame tilted({0.2, 0.1, 1});
+    const GravityAlignedFrame tilted({0.2, 0.1, 1});
     const HeightSlice slice = sliceOf(levelHall(), tilted, {0.2, 0.5});
     for (size_t row = 2; row < 6; ++row)
         for (size_t column = 2; column < 6; ++column)

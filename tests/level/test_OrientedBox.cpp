@@ -68,7 +68,7 @@ TEST(OrientedBox, isUprightWhereverUpIs)
     std::vector<VoxelCoord> voxels;
     for (int z = 0; z < 8; ++z)
         for (int y = 0; y < 3; ++y) voxels.push_back({0, y, z});
-    const OrientedBox box = orientedBox(voxels, 0.1, LevelFrame({0, -1, 0}));
+    const OrientedBox box = orientedBox(voxels, 0.1, GravityAlignedFrame({0, -1, 0}));
     EXPECT_NEAR(box.size.x, 0.8, 1e-9);
     EXPECT_NEAR(box.size.y, 0.1, 1e-9);
     EXPECT_NEAR(box.size.z, 0.3, 1e-9);
@@ -140,7 +140,7 @@ TEST(OrientedBox, strayVoxelsDoNotStretchIt)
 
 TEST(OrientedBox, onlyOccupiedVoxelsOfTheWinner)
 {
-    const auto boxes = orientedBoxes(test::tinyMap(), LevelFrame());
+    const auto boxes = orientedBoxes(test::tinyMap(), GravityAlignedFrame());
     ASSERT_EQ(boxes.size(), 2U);
     EXPECT_NEAR(boxes.at(2).center.x, 0.15, 1e-9);
     EXPECT_NEAR(boxes.at(2).size.z, 0.1, 1e-9);

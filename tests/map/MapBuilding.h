@@ -35,7 +35,7 @@ inline std::vector<VoxelCoord> voxelsOf(const SemanticVoxelMap& map, instance_id
     return voxels;
 }
 
-/** One random change of a map: evidence, a new instance, a merge, a split or a dismissal. */
+/** One random change of a map: evidence, a new instance, a merge, a split or a deactivation. */
 inline void changeAtRandom(SemanticVoxelMap& map, std::mt19937& random)
 {
     std::uniform_int_distribution<int> kind(0, 99);
@@ -69,7 +69,7 @@ inline void changeAtRandom(SemanticVoxelMap& map, std::mt19937& random)
         part.resize(part.size() / 3);
         map.split(id, part, 0.25, 7);
     } else if (!map.instances().empty()) {
-        map.dismiss(anyInstance(map, random));
+        map.deactivate(anyInstance(map, random));
     }
 }
 }  // namespace voxeland::test

@@ -98,15 +98,15 @@ TEST(MapQueries, VoxelEntropyAndWinnerByHand)
     EXPECT_EQ(winnerProbability(SemanticVoxelMap(), VoxelEvidence()), 0);
 }
 
-TEST(MapQueries, DismissedInstancesCountAsUnknown)
+TEST(MapQueries, InactiveInstancesCountAsUnknown)
 {
     auto map = smallMap();
     const VoxelEvidence& shared = *map.evidence({0, 0, 0});  // 1: 6, 2: 3, unknown: 1
-    map.dismiss(1);
+    map.deactivate(1);
     EXPECT_DOUBLE_EQ(winnerProbability(map, shared), 0.3);
     EXPECT_NEAR(instanceEntropy(map, shared),
                 harmonic(10) - (7 * harmonic(7) + 3 * harmonic(3)) / 10, 1e-10);
-    map.dismiss(2);
+    map.deactivate(2);
     EXPECT_DOUBLE_EQ(winnerProbability(map, shared), 1);
     EXPECT_EQ(instanceEntropy(map, shared), 0);
     EXPECT_DOUBLE_EQ(winnerProbability(map, *map.evidence({-1, 0, 0})), 1);

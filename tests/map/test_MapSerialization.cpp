@@ -28,7 +28,7 @@ SemanticVoxelMap mapFrom(const std::string& bytes)
     return map;
 }
 
-/** A map with a history: merges, splits, a dismissal, more than four instances in a voxel. */
+/** A map with a history: merges, splits, a deactivation, more than four instances in a voxel. */
 SemanticVoxelMap eventfulMap()
 {
     MapOptions options;

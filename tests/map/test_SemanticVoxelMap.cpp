@@ -95,7 +95,7 @@ TEST(SemanticVoxelMap, MergingSplittingAndDroppingConserveEvidence)
     part.resize(part.size() / 2);
     const instance_id_t half = map.split(2, part, 0.25, 0).id;
     map.merge(half, 1, 0);
-    map.dismiss(3);
+    map.deactivate(3);
     EXPECT_EQ(evidenceInVoxels(map), added);
     expectConsistent(map);
 
@@ -147,7 +147,7 @@ TEST(SemanticVoxelMap, OldIdsResolveThroughChainsOfMerges)
     EXPECT_EQ(map.createInstance().id, 6u);
 }
 
-TEST(SemanticVoxelMap, DismissedInstancesLoseTheirVoxelsAndKeepTheirEvidence)
+TEST(SemanticVoxelMap, InactiveInstancesLoseTheirVoxelsAndKeepTheirEvidence)
 {
     SemanticVoxelMap map;
     const instance_id_t weak = map.createInstance().id, other = map.createInstance().id;
@@ -157,14 +157,14 @@ TEST(SemanticVoxelMap, DismissedInstancesLoseTheirVoxelsAndKeepTheirEvidence)
     map.addEvidence(alone, weak, 2);
     const auto winnerAt = [&](const VoxelCoord& v) { return map.winner(*map.evidence(v)); };
     EXPECT_EQ(winnerAt(shared), weak);
-    map.dismiss(weak);
+    map.deactivate(weak);
     EXPECT_EQ(winnerAt(shared), other);
     EXPECT_EQ(winnerAt(alone), UNKNOWN_INSTANCE);
     EXPECT_EQ(map.evidence(shared)->alphaOf(weak), 4);
     EXPECT_EQ(map.instance(weak).voxels, 2u);
-    map.readmit(weak);
+    map.reactivate(weak);
     EXPECT_EQ(winnerAt(shared), weak);
-    EXPECT_THROW(map.dismiss(77), std::out_of_range);
+    EXPECT_THROW(map.deactivate(77), std::out_of_range);
 }
 
 TEST(SemanticVoxelMap, NothingIsNoEvidence)
@@ -191,13 +191,13 @@ TEST(SemanticVoxelMap, ASplitSharesTheObservations)
     EXPECT_EQ(map.instance(1).observations, 10U);
 }
 
-TEST(SemanticVoxelMap, AnAbsorbedInstanceIsNoLongerDismissed)
+TEST(SemanticVoxelMap, AnAbsorbedInstanceIsNoLongerInactive)
 {
     SemanticVoxelMap map;
     const instance_id_t a = map.createInstance().id, b = map.createInstance().id;
-    map.dismiss(b);
+    map.deactivate(b);
     map.merge(a, b, 0);
-    EXPECT_TRUE(map.dismissed().empty());
+    EXPECT_TRUE(map.inactive().empty());
 }
 
 TEST(SemanticVoxelMap, VisitsVoxelsInOrderAndOccupiedOnesOnlyByDefault)

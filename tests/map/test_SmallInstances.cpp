@@ -11,11 +11,11 @@ TEST(SmallInstances, becomeUnknown)
 {
     SemanticVoxelMap map = test::tinyMap();
     test::addVoxel(map, {0, 1, 0}, {{1, 5}});
-    dismissSmallInstances(map, 2);  // the cup wins one voxel only
+    deactivateSmallInstances(map, 2);  // the cup wins one voxel only
     ASSERT_EQ(summarizeInstances(map).size(), 1U);
     EXPECT_EQ(summarizeInstances(map)[0].id, 1U);
     EXPECT_EQ(map.winner(*map.evidence({1, 0, 0})), UNKNOWN_INSTANCE);
-    EXPECT_EQ(map.dismissed().size(), 1U);
+    EXPECT_EQ(map.inactive().size(), 1U);
 }
 
 TEST(SmallInstances, whatTheyHideIsNotShownInstead)
@@ -25,6 +25,6 @@ TEST(SmallInstances, whatTheyHideIsNotShownInstead)
     for (const auto& [id, instance] : map.instances())
         if (id != hidden) map.addEvidence({1, 0, 0}, id, 5);
     map.addEvidence({1, 0, 0}, hidden, 1);
-    dismissSmallInstances(map, 100);
+    deactivateSmallInstances(map, 100);
     EXPECT_TRUE(summarizeInstances(map).empty());
 }

@@ -148,7 +148,8 @@ TEST(FarFromOrigin, filesKeepTheirDigitsOrAreRefused)
     EXPECT_NEAR(y, UTM.y, 10);
     EXPECT_NEAR(std::remainder(y - 0.025, 0.05), 0, 1e-6) << "the centre of a voxel";
 
-    const HeightSlice local = sliceOf(map, LevelFrame(), {-2, 2}), slice = inWorld(local, map);
+    const HeightSlice local = sliceOf(map, GravityAlignedFrame(), {-2, 2}),
+                      slice = inWorld(local, map);
     WrittenFiles written;
     exportRosMap(slice, folder.file("far.yaml"), written);
     const std::string yaml = test::readFile(folder.file("far.yaml"));
@@ -158,7 +159,7 @@ TEST(FarFromOrigin, filesKeepTheirDigitsOrAreRefused)
     EXPECT_THROW(exportOctoMap(map, folder.file("far.bt")), ConfigurationError);
     EXPECT_THROW(exportPoints(map, {}, folder.file("far.txt")), ConfigurationError);
 
-    exportScene(map, LevelFrame(), folder.file("far.3Dscene"));
+    exportScene(map, GravityAlignedFrame(), folder.file("far.3Dscene"));
     mrpt::opengl::COpenGLScene scene;
     ASSERT_TRUE(scene.loadFromFile(folder.file("far.3Dscene")));
     const auto root = scene.getByClass<mrpt::opengl::CSetOfObjects>();
@@ -166,7 +167,7 @@ TEST(FarFromOrigin, filesKeepTheirDigitsOrAreRefused)
     EXPECT_NEAR(root->getPoseX(), UTM.x, 1e-6);
     EXPECT_NEAR(root->getPoseY(), UTM.y, 1e-6);
 
-    exportGlb(map, LevelFrame(), folder.file("far.glb"));
+    exportGlb(map, GravityAlignedFrame(), folder.file("far.glb"));
     // Turned to y up: (x, z, -y). The vertices are relative to it.
     EXPECT_NE(test::readFile(folder.file("far.glb")).find(",450000.0,0.0,-5572094.0,1.0]"),
               std::string::npos)

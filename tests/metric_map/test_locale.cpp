@@ -37,7 +37,7 @@ SemanticVoxelMap someMap()
 void writeAll(const fs::path& folder)
 {
     const SemanticVoxelMap map = someMap();
-    const LevelFrame frame(estimateUp(map));
+    const GravityAlignedFrame frame(estimateUp(map));
     const auto file = [&](const char* name) { return (folder / name).string(); };
     WrittenFiles written;
     exportAll(map, folder.string(), written);

@@ -275,17 +275,17 @@ TEST(IntegrateSemantics, BetaGrowsByConfidenceTimesProbability)
     EXPECT_EQ(instance.tracks, (std::set<int64_t>{9}));
 }
 
-TEST(IntegrateSemantics, WhatIsSeenAgainIsNoLongerDismissed)
+TEST(IntegrateSemantics, WhatIsSeenAgainIsActiveAgain)
 {
     SemanticVoxelMap map;
     const instance_id_t id = map.createInstance().id, other = map.createInstance().id;
-    map.dismiss(id);
-    map.dismiss(other);
+    map.deactivate(id);
+    map.deactivate(other);
     const Opinion o = opinion(0, 1, 0.5F);
     OpinionOverlaps overlaps;
     overlaps.opinion = &o;
     integrateSemantics({overlaps}, {id}, 0, 1, map);
-    EXPECT_EQ(map.dismissed(), std::set<instance_id_t>{other});
+    EXPECT_EQ(map.inactive(), std::set<instance_id_t>{other});
 }
 
 TEST(IntegrateSemantics, APartOfASplitKeepsItsFirstFrameUntilItIsSeenAlone)

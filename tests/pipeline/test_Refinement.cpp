@@ -303,7 +303,7 @@ TEST(Refinement, OverlapsAreThoseOfBruteForce)
     EXPECT_EQ(counts.merges, 0U);
 }
 
-TEST(Dismissal, TakesTooLittleEvidenceAndTooLongOutOfSightTogether)
+TEST(Deactivation, TakesTooLittleEvidenceAndTooLongOutOfSightTogether)
 {
     SemanticVoxelMap map = handMadeMap();
     addBox(map, addInstance(map, "cup", 1.4, 9), {0, 0, 0}, {2, 2, 2});    // weak, long ago
@@ -315,15 +315,15 @@ TEST(Dismissal, TakesTooLittleEvidenceAndTooLongOutOfSightTogether)
     MappingCounts counts;
     counts.frames = 30;
     refine(map, *evidentialPolicy(), options, 0, true, counts);
-    EXPECT_EQ(map.dismissed(), std::set<instance_id_t>{1});
+    EXPECT_EQ(map.inactive(), std::set<instance_id_t>{1});
     EXPECT_EQ(map.instance(1).voxels, 8U) << "the record is kept";
 
     map.instance(1).categories.add(map.categories().add("cup"), 0.2);  // seen again
     refine(map, *evidentialPolicy(), options, 0, true, counts);
-    EXPECT_TRUE(map.dismissed().empty());
+    EXPECT_TRUE(map.inactive().empty());
 }
 
-TEST(Dismissal, LooksAtWhatWasSeenLatelyAloneAndGivesTheSame)
+TEST(Deactivation, LooksAtWhatWasSeenLatelyAloneAndGivesTheSame)
 {
     RefinementOptions options;
     options.min_evidence = 1.5;
@@ -341,9 +341,9 @@ TEST(Dismissal, LooksAtWhatWasSeenLatelyAloneAndGivesTheSame)
             refine(*map, *evidentialPolicy(), options, counts.frames - options.every, isFirst,
                    counts);
         }
-        EXPECT_EQ(lately.dismissed(), all.dismissed()) << counts.frames;
+        EXPECT_EQ(lately.inactive(), all.inactive()) << counts.frames;
     }
-    EXPECT_EQ(all.dismissed().size(), 30U);
+    EXPECT_EQ(all.inactive().size(), 30U);
 }
 
 TEST(RefinementOfManyRooms, LooksAtTheOneSeenLatelyAlone)

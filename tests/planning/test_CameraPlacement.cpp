@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/TinyMap.h"
 #include "planning/CameraPlacement.h"
 #include "planning/Reobservation.h"
+#include "support/TinyMap.h"
 
 #include <gtest/gtest.h>
 
@@ -59,8 +59,8 @@ Hall levelHall()
 
 std::vector<CameraPose> posesIn(const Hall& hall)
 {
-    return placeCamera(hall.map, LevelFrame(), CarriedCamera(), floorHeight(hall.map, LevelFrame()),
-                       hall.voxels);
+    return placeCamera(hall.map, GravityAlignedFrame(), CarriedCamera(),
+                       floorHeight(hall.map, GravityAlignedFrame()), hall.voxels);
 }
 
 TPoint3D along(const CameraPose& p, double distance)
@@ -143,7 +143,7 @@ TEST(CameraPlacement, noPlaceIsAnAnswer)
 TEST(CameraPlacement, isLevelWhateverTheMapsAxes)
 {
     const Hall hall([](int x, int y, int z) { return VoxelCoord{x, -1 - z, y}; });
-    const LevelFrame frame({0, -1, 0});
+    const GravityAlignedFrame frame({0, -1, 0});
     const auto poses =
         placeCamera(hall.map, frame, CarriedCamera(), floorHeight(hall.map, frame), hall.voxels);
     ASSERT_EQ(poses.size(), 3U);
@@ -169,7 +169,7 @@ TEST(Reobservation, theMostUncertainFirst)
     for (int y = 40; y < 45; ++y)
         for (int x = 40; x < 45; ++x)
             test::addVoxel(hall.map, {x, y, 8}, {{sure, 1}, {UNKNOWN_INSTANCE, 1}});
-    const auto all = planReobservation(hall.map, LevelFrame(), CarriedCamera());
+    const auto all = planReobservation(hall.map, GravityAlignedFrame(), CarriedCamera());
     ASSERT_GE(all.size(), 3U);
     EXPECT_EQ(all[0].instance, hall.object);
     EXPECT_EQ(all[0].category, "chair");
@@ -181,6 +181,7 @@ TEST(Reobservation, theMostUncertainFirst)
     EXPECT_NEAR(all[1].uncertainty, 0.5, 1e-9);
     EXPECT_EQ(all[1].voxels, 25U);
     for (const ReobservationTarget& t : all) EXPECT_NE(t.instance, small) << "too small";
-    EXPECT_EQ(planReobservation(hall.map, LevelFrame(), CarriedCamera(), 1).size(), 1U);
-    EXPECT_TRUE(planReobservation(SemanticVoxelMap(), LevelFrame(), CarriedCamera()).empty());
+    EXPECT_EQ(planReobservation(hall.map, GravityAlignedFrame(), CarriedCamera(), 1).size(), 1U);
+    EXPECT_TRUE(
+        planReobservation(SemanticVoxelMap(), GravityAlignedFrame(), CarriedCamera()).empty());
 }

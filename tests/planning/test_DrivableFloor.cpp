@@ -52,7 +52,7 @@ SemanticVoxelMap room(bool wall = false)
 
 OrientedBox boxOf(const SemanticVoxelMap& map)
 {
-    return orientedBoxes(map, LevelFrame()).at(1);
+    return orientedBoxes(map, GravityAlignedFrame()).at(1);
 }
 
 /** By points all over the robot: whether any is in something solid or outside the room. */
@@ -72,7 +72,7 @@ bool collides(const TPoint2D& at, double radius, bool wall)
 TEST(DrivableFloor, FitsWhereNoPointOfTheRobotTouchesAnything)
 {
     const SemanticVoxelMap map = room(true);
-    const DrivableFloor floor(map, LevelFrame());
+    const DrivableFloor floor(map, GravityAlignedFrame());
     int free = 0;
     for (double y = -0.63; y < 4.6; y += 0.119)
         for (double x = -0.63; x < 4.6; x += 0.117) {
@@ -86,16 +86,16 @@ TEST(DrivableFloor, DrivesUnderWhatIsHigher)
 {
     SemanticVoxelMap map = room();
     test::addVoxel(map, {5, 5, 15}, {{UNKNOWN_INSTANCE, 1}});  // 1.5 to 1.6 m
-    EXPECT_TRUE(DrivableFloor(map, LevelFrame()).fits({0.55, 0.55}));
+    EXPECT_TRUE(DrivableFloor(map, GravityAlignedFrame()).fits({0.55, 0.55}));
     DrivingRobot tall;
     tall.height = 1.7;
-    EXPECT_FALSE(DrivableFloor(map, LevelFrame(), tall).fits({0.55, 0.55}));
+    EXPECT_FALSE(DrivableFloor(map, GravityAlignedFrame(), tall).fits({0.55, 0.55}));
 }
 
 TEST(DrivableFloor, PosesFaceTheObjectFromAllSides)
 {
     const SemanticVoxelMap map = room();
-    const auto poses = DrivableFloor(map, LevelFrame()).posesFacing(boxOf(map));
+    const auto poses = DrivableFloor(map, GravityAlignedFrame()).posesFacing(boxOf(map));
     ASSERT_EQ(poses.size(), 32U) << "nothing is in the way";
     double last = 0;
     for (const TPose2D& p : poses) {
@@ -112,13 +112,13 @@ TEST(DrivableFloor, PosesFaceTheObjectFromAllSides)
 TEST(DrivableFloor, WallsHideTheObject)
 {
     const SemanticVoxelMap map = room(true);
-    const auto poses = DrivableFloor(map, LevelFrame()).posesFacing(boxOf(map));
+    const auto poses = DrivableFloor(map, GravityAlignedFrame()).posesFacing(boxOf(map));
     EXPECT_GE(poses.size(), 15U);
     for (const TPose2D& p : poses) EXPECT_LT(p.x, 2.6) << "behind the wall";
     DrivingRobot giant;
     giant.radius = 1;
     giant.reach = 1;
-    EXPECT_EQ(DrivableFloor(map, LevelFrame(), giant).posesFacing(boxOf(map)).size(), 0U)
+    EXPECT_EQ(DrivableFloor(map, GravityAlignedFrame(), giant).posesFacing(boxOf(map)).size(), 0U)
         << "such a robot fits nowhere near it";
 }
 
@@ -136,7 +136,7 @@ TEST(DrivableFloor, WorksInATiltedMap)
                     map.addEvidence(to, level.winner(*e), 1);
                 map.blocks().at(blockOf(to)).setOccupancy(cellOf(to), level.occupancy(from));
             }
-    const LevelFrame frame({0, 1, 0});
+    const GravityAlignedFrame frame({0, 1, 0});
     const auto box = orientedBoxes(map, frame).at(1);
     const DrivableFloor floor(map, frame);
     const auto poses = floor.posesFacing(box);

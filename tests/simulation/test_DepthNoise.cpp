@@ -9,7 +9,7 @@ using namespace voxeland::simulation;
 
 namespace
 {
-const PinholeCamera CAMERA{CameraOptions{}};
+const RenderCamera CAMERA{CameraOptions{}};
 
 RenderedView wallAt(float z)
 {

@@ -66,7 +66,7 @@ class DetectorScene : public ::testing::Test
     }
 
     Scene m_scene;
-    PinholeCamera m_camera{smallImage()};
+    RenderCamera m_camera{smallImage()};
     mrpt::math::TPose3D m_pose{0, 0, 0.3, 0, 0, 0};
     RenderedView m_view;
     ObjectId m_left, m_right, m_cup, m_wardrobe;

@@ -26,7 +26,7 @@ Solid box(const Vector3& center, const Vector3& halfSize)
 
 TEST(SceneRenderer, IntrinsicsScaleWithTheImage)
 {
-    const PinholeCamera full{CameraOptions{}}, quarter{smallImage()};
+    const RenderCamera full{CameraOptions{}}, quarter{smallImage()};
     EXPECT_FLOAT_EQ(full.focal, 525);
     EXPECT_FLOAT_EQ(full.cx, 319.5F);
     EXPECT_FLOAT_EQ(full.cy, 239.5F);
@@ -38,7 +38,7 @@ TEST(SceneRenderer, AWallAheadHasOneDepthAllOver)
 {
     Scene scene;
     scene.addSolid(box({3.05F, 0, 0}, {0.05F, 10, 10}));
-    const PinholeCamera camera(smallImage());
+    const RenderCamera camera(smallImage());
     const auto view = SceneRenderer(scene, camera).render({1, 0, 0, 0, 0, 0});
     for (const float z : view.depth) EXPECT_NEAR(z, 2, 1e-5F);
     // The ray through the image's corner leaves at (79.5, 59.5) pixels from its centre.
@@ -50,7 +50,7 @@ TEST(SceneRenderer, TheFloorRecedesTowardsTheHorizon)
 {
     Scene scene;
     scene.addSolid(box({0, 0, -0.5F}, {1000, 1000, 0.5F}));
-    const PinholeCamera camera(smallImage());
+    const RenderCamera camera(smallImage());
     const auto view = SceneRenderer(scene, camera).render({0, 0, 1.5, 0.7, 0, 0});
     for (const int row : {0, 59}) EXPECT_EQ(view.depth[static_cast<size_t>(row) * 160], 0) << row;
     for (const int row : {70, 90, 119}) {
@@ -65,7 +65,7 @@ TEST(SceneRenderer, LeftIsLeftAndUpIsUp)
     const auto left = scene.addObject("left"), top = scene.addObject("top");
     scene.addSolid(box({2, 0.5F, 0}, {0.1F, 0.1F, 0.1F}), left);
     scene.addSolid(box({2, 0, 0.5F}, {0.1F, 0.1F, 0.1F}), top);
-    const PinholeCamera camera(smallImage());
+    const RenderCamera camera(smallImage());
     const SceneRenderer renderer(scene, camera);
     const auto view = renderer.render({});
     // 0.5 m aside at 2 m (front face 1.9 m): 131.25 * 0.5 / 1.9 = 34.5 pixels from the middle
@@ -79,7 +79,7 @@ TEST(SceneRenderer, LeftIsLeftAndUpIsUp)
 TEST(SceneRenderer, AgreesWithRaysSentOneByOne)
 {
     const Scene scene = makeApartment({}, Random(3));
-    const PinholeCamera camera(smallImage());
+    const RenderCamera camera(smallImage());
     const mrpt::math::TPose3D pose(2.5, 2.4, 1.4, 1.1, 0.35, 0.05);
     const auto view = SceneRenderer(scene, camera).render(pose);
     const CameraFrame frame(pose);
@@ -97,9 +97,9 @@ TEST(SceneRenderer, AgreesWithRaysSentOneByOne)
         }
 }
 
-TEST(PinholeCamera, ProjectsPointsToThePixelTheyWereSeenAt)
+TEST(RenderCamera, ProjectsPointsToThePixelTheyWereSeenAt)
 {
-    const PinholeCamera camera(smallImage());
+    const RenderCamera camera(smallImage());
     const CameraFrame frame({1, 2, 3, 0.4, 0.2, -0.1});
     const Vector3 ray = frame.forward - frame.left * ((100 - 79.5F) / 131.25F) -
                         frame.up * ((30 - 59.5F) / 131.25F);

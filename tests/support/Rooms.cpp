@@ -29,7 +29,7 @@ void addRoom(const SemanticVoxelMap& room, int shift, uint32_t later, SemanticVo
                 map.addEvidence(voxelAt(at, cell), ids.at(e.instance), e.alpha);
         });
     }
-    for (const instance_id_t id : room.dismissed()) map.dismiss(ids.at(id));
+    for (const instance_id_t id : room.inactive()) map.deactivate(ids.at(id));
 }
 }  // namespace
 

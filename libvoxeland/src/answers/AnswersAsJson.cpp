@@ -32,7 +32,7 @@ std::string asJson(const SemanticVoxelMap& map, const MapOverview& o)
                    {"frames_without_pose", o.counts.framesWithoutPose},
                    {"opinions", o.counts.opinions},
                    {"instances", o.instances},
-                   {"dismissed", o.dismissed},
+                   {"dismissed", o.inactive},
                    {"categories", json_t::object()},
                    {"memory_bytes", o.memory.bytes},
                    {"bytes_per_free_voxel", o.memory.bytesPerFreeVoxel()},

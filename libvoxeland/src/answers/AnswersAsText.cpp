@@ -46,7 +46,7 @@ std::string asText(const MapOverview& o)
         o.counts.frames, o.counts.framesWithoutPredictions, o.counts.framesWithoutPose);
     text += format("instances      %zu, from %s", o.instances,
                    counted(o.counts.opinions, "opinion").c_str());
-    if (o.dismissed > 0) text += format("; %zu more count as unknown", o.dismissed);
+    if (o.inactive > 0) text += format("; %zu more count as unknown", o.inactive);
     text += "\n";
     for (const auto& [name, count] : o.categories)
         text += format("               %u %s\n", count, printable(name).c_str());

@@ -11,7 +11,8 @@ namespace voxeland
 {
 namespace
 {
-std::vector<FoundInstance> allInstances(const SemanticVoxelMap& map, const LevelFrame& frame)
+std::vector<FoundInstance> allInstances(const SemanticVoxelMap& map,
+                                        const GravityAlignedFrame& frame)
 {
     const auto boxes = orientedBoxes(map, frame);
     std::vector<FoundInstance> all;
@@ -76,7 +77,7 @@ MapOverview overviewOf(const SemanticVoxelMap& map, const MappingCounts& counts)
         overview.boxMin = map.inWorld(low);
         overview.boxMax = map.inWorld(high);
     }
-    overview.dismissed = map.dismissed().size();
+    overview.inactive = map.inactive().size();
     for (const InstanceSummary& s : summarizeInstances(map)) {
         ++overview.instances;
         ++overview.categories[s.category()];
@@ -86,10 +87,11 @@ MapOverview overviewOf(const SemanticVoxelMap& map, const MappingCounts& counts)
 
 std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map)
 {
-    return listInstances(map, LevelFrame(estimateUp(map)));
+    return listInstances(map, GravityAlignedFrame(estimateUp(map)));
 }
 
-std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map, const LevelFrame& frame)
+std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map,
+                                         const GravityAlignedFrame& frame)
 {
     auto all = allInstances(map, frame);
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
@@ -105,7 +107,7 @@ std::vector<FoundInstance> findInstances(const SemanticVoxelMap& map, const std:
     static_cast<void>(map.voxelOf(map.inMap(from)));  // in range
     std::vector<FoundInstance> found;
     NameFit best = NameFit::part;
-    for (FoundInstance& f : allInstances(map, LevelFrame(estimateUp(map)))) {
+    for (FoundInstance& f : allInstances(map, GravityAlignedFrame(estimateUp(map)))) {
         const NameFit fit = nameFit(category, f.summary.category());
         if (fit < best) continue;
         if (fit > best) found.clear();

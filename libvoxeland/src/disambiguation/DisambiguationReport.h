@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/disambiguation/Asking.h"
+#include "voxeland/disambiguation/DisambiguationRun.h"
 #include "voxeland/map/SemanticVoxelMap.h"
 
 #include <string>

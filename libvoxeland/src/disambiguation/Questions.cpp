@@ -40,7 +40,7 @@ DisambiguationQuestion questionAbout(const UncertainInstance& instance, const Se
             question.pictures.push_back(
                 {"Photograph of what surrounds the object", JPEG, v.wholeFrame});
     if (options.voxel_picture) {
-        std::string voxels = instancePicture(map, LevelFrame(up), instance.id,
+        std::string voxels = instancePicture(map, GravityAlignedFrame(up), instance.id,
                                              static_cast<int>(options.picture_size * 3 / 4));
         if (!voxels.empty())
             question.pictures.push_back(

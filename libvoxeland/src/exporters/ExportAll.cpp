@@ -19,7 +19,7 @@ void exportAll(const SemanticVoxelMap& map, const std::string& folder, WrittenFi
 {
     makeOutputFolder(folder);
     ExportSettings settings;
-    settings.frame = LevelFrame(estimateUp(map));
+    settings.frame = GravityAlignedFrame(estimateUp(map));
     try {
         for (const Exporter& exporter : exporters())
             if (exporter.nameInAll) {

@@ -92,7 +92,7 @@ double linear(uint8_t channel)
 /** From the map's frame to the world's about it, turned until its y axis is up; column by column.
  * The map's place is here, and not in its vertices, as these are floats. \param origin of the map's
  * frame [m] */
-json_t rootMatrix(const LevelFrame& frame, const mrpt::math::TPoint3D& origin)
+json_t rootMatrix(const GravityAlignedFrame& frame, const mrpt::math::TPoint3D& origin)
 {
     json_t matrix = json_t::array();
     for (size_t column = 0; column < 3; ++column) {
@@ -107,7 +107,8 @@ json_t rootMatrix(const LevelFrame& frame, const mrpt::math::TPoint3D& origin)
 class Document
 {
  public:
-    Document(const SemanticVoxelMap& map, const LevelFrame& frame) : m_resolution(map.resolution())
+    Document(const SemanticVoxelMap& map, const GravityAlignedFrame& frame)
+        : m_resolution(map.resolution())
     {
         m_json = {
             {"asset", {{"version", "2.0"}, {"generator", "Voxeland for MRPT"}}},
@@ -206,7 +207,8 @@ void writeBuffer(const Part& part, double resolution, LittleEndianStream& out)
 }
 }  // namespace
 
-void exportGlb(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file)
+void exportGlb(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+               const std::string& file)
 {
     const std::vector<Part> parts = partsOf(map);
     Document document(map, frame);

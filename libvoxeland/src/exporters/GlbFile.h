@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/exporters/Exporter.h"
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <string>
 
@@ -13,7 +13,8 @@ namespace voxeland
  *  another one of them, those side by side in a plane as one rectangle. The root node turns the map
  * so that up is +y, as glTF wants it. \param frame tells where up is \throws ConfigurationError for
  * a map of more than 4 GB of faces \throws OutputError if the file cannot be written */
-void exportGlb(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
+void exportGlb(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+               const std::string& file);
 
 /** exportGlb(). */
 Exporter glbExporter();

@@ -24,7 +24,8 @@ std::string quoted(const std::string& text)
 }
 }  // namespace
 
-void exportCsv(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file)
+void exportCsv(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+               const std::string& file)
 {
     const auto boxes = orientedBoxes(map, frame);
     writeAtomically(file, [&](std::ostream& out) {

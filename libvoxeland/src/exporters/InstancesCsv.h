@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/exporters/Exporter.h"
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <string>
 
@@ -12,7 +12,8 @@ namespace voxeland
  *  geometric_entropy, observations, voxels, centroid_x|y|z, min_x|y|z and max_x|y|z (axis-aligned
  *  box), box_x|y|z, box_length, box_width, box_height, box_yaw (OrientedBox). Metres, radians,
  *  nats. \param frame tells where up is \throws OutputError if the file cannot be written */
-void exportCsv(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
+void exportCsv(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+               const std::string& file);
 
 /** exportCsv(). */
 Exporter csvExporter();

@@ -73,7 +73,7 @@ std::string toText(const json_t& json)
     return text;
 }
 
-std::string instancesAsJson(const SemanticVoxelMap& map, const LevelFrame& frame)
+std::string instancesAsJson(const SemanticVoxelMap& map, const GravityAlignedFrame& frame)
 {
     const auto boxes = orientedBoxes(map, frame);
     json_t json;
@@ -84,7 +84,8 @@ std::string instancesAsJson(const SemanticVoxelMap& map, const LevelFrame& frame
     return toText(json);
 }
 
-void exportJson(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file)
+void exportJson(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+                const std::string& file)
 {
     writeAtomically(file, instancesAsJson(map, frame));
 }

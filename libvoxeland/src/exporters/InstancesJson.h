@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/exporters/Exporter.h"
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <string>
 
@@ -26,10 +26,11 @@ namespace voxeland
  *  `bbox`, `results` and `n_observations` are what upstream Voxeland's tools read. The
  *  sides of `oriented_box` go along its `axes`, unit vectors, the last one being up (see
  * OrientedBox). */
-std::string instancesAsJson(const SemanticVoxelMap& map, const LevelFrame& frame);
+std::string instancesAsJson(const SemanticVoxelMap& map, const GravityAlignedFrame& frame);
 
 /** Writes instancesAsJson() to a file. \throws OutputError if that fails */
-void exportJson(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
+void exportJson(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+                const std::string& file);
 
 /** exportJson(). */
 Exporter jsonExporter();

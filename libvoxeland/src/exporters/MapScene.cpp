@@ -76,7 +76,8 @@ std::shared_ptr<mrpt::opengl::COctoMapVoxels> voxelCubes(const SemanticVoxelMap&
     return cubes;
 }
 
-void exportScene(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file)
+void exportScene(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+                 const std::string& file)
 {
     const auto objects = mrpt::opengl::CSetOfObjects::Create();
     objects->insert(voxelCubes(map));

@@ -15,7 +15,7 @@ class COctoMapVoxels;
 
 namespace voxeland
 {
-class LevelFrame;
+class GravityAlignedFrame;
 
 /** The occupied voxels of a map as cubes, coloured by instance. */
 std::shared_ptr<mrpt::opengl::COctoMapVoxels> voxelCubes(const SemanticVoxelMap& map);
@@ -24,7 +24,8 @@ std::shared_ptr<mrpt::opengl::COctoMapVoxels> voxelCubes(const SemanticVoxelMap&
  *  MRPT's SceneViewer3D. The scene is level: everything in it is in the map's frame, which is
  *  itself turned so that up is the scene's z axis.
  *  \param frame tells where up is \throws OutputError if the file cannot be written */
-void exportScene(const SemanticVoxelMap& map, const LevelFrame& frame, const std::string& file);
+void exportScene(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+                 const std::string& file);
 
 /** exportScene(). */
 Exporter sceneExporter();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/exporters/Exporter.h"
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <set>
 #include <string>
@@ -19,7 +19,7 @@ struct PointsFilter
 {
     std::set<std::string> categories;  //!< only these or their plurals, see NameFit; empty: all
     std::set<std::string> except;      //!< not these, such as people: they will have moved on
-    LevelFrame frame;                  //!< where heights are measured
+    GravityAlignedFrame frame;         //!< where heights are measured
     HeightRange heights;               //!< [m]
 };
 

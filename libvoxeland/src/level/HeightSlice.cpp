@@ -15,9 +15,9 @@ namespace voxeland
 {
 namespace
 {
-/** Calls f(centre in the level frame) for every observed voxel. */
+/** Calls f(centre in the gravity-aligned frame) for every observed voxel. */
 template <typename F>
-void forEachObserved(const SemanticVoxelMap& map, const LevelFrame& frame, F&& f)
+void forEachObserved(const SemanticVoxelMap& map, const GravityAlignedFrame& frame, F&& f)
 {
     for (const uint32_t b : map.blocks().sorted()) {
         const MapBlock& block = map.blocks()[b];
@@ -30,7 +30,7 @@ void forEachObserved(const SemanticVoxelMap& map, const LevelFrame& frame, F&& f
 }
 
 /** The part of some heights at which anything was observed. */
-HeightRange observedPart(const SemanticVoxelMap& map, const LevelFrame& frame,
+HeightRange observedPart(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                          const HeightRange& heights)
 {
     constexpr double INF = std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ HeightRange observedPart(const SemanticVoxelMap& map, const LevelFrame& frame,
 }
 
 /** An empty grid around everything observed at those heights, on the raster of the voxels. */
-HeightSlice frameOf(const SemanticVoxelMap& map, const LevelFrame& frame,
+HeightSlice frameOf(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                     const HeightRange& heights)
 {
     constexpr int NONE = std::numeric_limits<int>::max();
@@ -69,7 +69,7 @@ HeightSlice frameOf(const SemanticVoxelMap& map, const LevelFrame& frame,
 }
 
 /** The largest occupancy above a place. */
-float columnOccupancy(const SemanticVoxelMap& map, const LevelFrame& frame,
+float columnOccupancy(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                       const HeightRange& heights, double x, double y)
 {
     const double step = map.resolution() / 2;
@@ -82,7 +82,7 @@ float columnOccupancy(const SemanticVoxelMap& map, const LevelFrame& frame,
 }
 }  // namespace
 
-HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
+HeightSlice sliceOf(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                     const HeightRange& heights)
 {
     HeightSlice slice = frameOf(map, frame, heights);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ namespace voxeland
 struct HeightSlice
 {
     double resolution = 0;         //!< edge of a cell [m]
-    double minX = 0, minY = 0;     //!< corner of the first cell in the level frame [m]
+    double minX = 0, minY = 0;     //!< corner of the first cell in the gravity-aligned frame [m]
     size_t columns = 0, rows = 0;  //!< along x and y
     /** Probability of occupied, rows of increasing y; 0.5: never observed. */
     std::vector<float> occupancy;
@@ -24,13 +24,14 @@ struct HeightSlice
 
 /** Looks through the heights: of the voxels above one another in a cell, the one most likely
  *  occupied decides. The grid covers everything observed at those heights.
- *  \param heights in the level frame [m]; only those are looked through at which
+ *  \param heights in the gravity-aligned frame [m]; only those are looked through at which
  *  anything was observed
  *  \throws ConfigurationError if nothing was observed there */
-HeightSlice sliceOf(const SemanticVoxelMap& map, const LevelFrame& frame,
+HeightSlice sliceOf(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                     const HeightRange& heights);
 
-/** The same slice, its corner in the world: in the level frame it is counted from the map's origin.
+/** The same slice, its corner in the world: in the gravity-aligned frame it is counted from the
+ * map's origin.
  */
 HeightSlice inWorld(HeightSlice slice, const SemanticVoxelMap& map);
 

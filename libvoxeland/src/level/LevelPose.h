@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <mrpt/math/CMatrixFixed.h>
 #include <mrpt/poses/CPose3D.h>
 
 namespace voxeland
 {
-/** The pose, in the map's frame, of what has the axes of a level frame. */
-inline mrpt::poses::CPose3D poseOf(const LevelFrame& frame, const mrpt::math::TPoint3D& origin)
+/** The pose, in the map's frame, of what has the axes of a gravity-aligned frame. */
+inline mrpt::poses::CPose3D poseOf(const GravityAlignedFrame& frame,
+                                   const mrpt::math::TPoint3D& origin)
 {
     mrpt::math::CMatrixDouble33 rotation;
     for (int column = 0; column < 3; ++column)

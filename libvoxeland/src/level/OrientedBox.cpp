@@ -102,7 +102,7 @@ double yawOfLeastArea(const std::vector<cv::Point2f>& points)
 }  // namespace
 
 OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution,
-                        const LevelFrame& frame)
+                        const GravityAlignedFrame& frame)
 {
     const std::vector<VoxelCoord> parts = mainParts(voxels);
     const TPoint3D first = frame.toLevel(voxelCenter<TPoint3D>(parts.front(), resolution));
@@ -126,7 +126,7 @@ OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution
 }
 
 std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map,
-                                                   const LevelFrame& frame)
+                                                   const GravityAlignedFrame& frame)
 {
     std::map<instance_id_t, OrientedBox> boxes;
     for (const auto& [id, voxels] : voxelsByWinner(map))

@@ -23,7 +23,7 @@ std::vector<double> concentration(const SemanticVoxelMap& map, const Instance& i
 /** Whether evidence for an instance counts as evidence for *unknown*. */
 bool isShownAsUnknown(const SemanticVoxelMap& map, instance_id_t instance)
 {
-    return instance == UNKNOWN_INSTANCE || map.isDismissed(instance);
+    return instance == UNKNOWN_INSTANCE || map.isInactive(instance);
 }
 
 /** Grows a summary by one voxel. */
@@ -143,7 +143,7 @@ std::map<instance_id_t, std::vector<VoxelCoord>> voxelsByWinner(const SemanticVo
 VoxelUncertainty::VoxelUncertainty(const SemanticVoxelMap& map) : m_map(map)
 {
     for (const auto& [id, instance] : map.instances()) {
-        if (map.isDismissed(id)) continue;
+        if (map.isInactive(id)) continue;
         m_distributions[id] = categoryDistribution(map, instance);
         m_entropies[id] = voxeland::categoryEntropy(map, instance);
     }

@@ -100,7 +100,7 @@ void SemanticVoxelMap::writeTo(CArchive& out) const
     out << VERSION;
     write(out, m_options);
     out << m_origin.x << m_origin.y << m_origin.z;
-    out << m_categories.names() << m_nextInstance << m_absorbed << dismissed();
+    out << m_categories.names() << m_nextInstance << m_absorbed << inactive();
     out << static_cast<uint32_t>(m_instances.size());
     for (const auto& [id, instance] : m_instances) write(out, instance);
     out << static_cast<uint32_t>(m_blocks.size());
@@ -116,8 +116,8 @@ void SemanticVoxelMap::readFrom(CArchive& in)
     SemanticVoxelMap read(readOptions(in, version));
     if (version > 2) read.m_origin = readOrigin(in);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) read.m_categories.add(readText(in));
-    std::set<instance_id_t> dismissed;
-    in >> read.m_nextInstance >> read.m_absorbed >> dismissed;
+    std::set<instance_id_t> inactive;
+    in >> read.m_nextInstance >> read.m_absorbed >> inactive;
     checkMerges(read.m_absorbed, read.m_nextInstance);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         Instance i = readInstance(in, read.m_categories, read.m_options.views_kept);
@@ -126,10 +126,10 @@ void SemanticVoxelMap::readFrom(CArchive& in)
             !read.m_instances.emplace(id, std::move(i)).second)
             throw std::runtime_error("corrupt map: an instance numbered " + std::to_string(id));
     }
-    for (const instance_id_t id : dismissed) {
+    for (const instance_id_t id : inactive) {
         if (read.m_instances.count(id) == 0)
-            throw std::runtime_error("corrupt map: an instance dismissed that it lacks");
-        read.m_dismissed.insert(id);
+            throw std::runtime_error("corrupt map: an inactive instance that it lacks");
+        read.m_inactive.insert(id);
     }
     for (const auto& [id, instance] : read.m_instances)
         read.m_byLastFrame.emplace(instance.lastFrame, id);

@@ -208,7 +208,7 @@ void SemanticVoxelMap::merge(instance_id_t survivor, instance_id_t absorbed, uin
     remember(to.history, {InstanceEvent::Kind::merged, frame, survivor, absorbed});
     m_byLastFrame.erase({from.lastFrame, absorbed});
     m_instances.erase(absorbed);
-    m_dismissed.erase(absorbed);
+    m_inactive.erase(absorbed);
     m_absorbed[absorbed] = survivor;
 }
 
@@ -253,16 +253,16 @@ std::vector<mrpt::math::TPoint3Df> SemanticVoxelMap::centersOf(const Instance& i
     return centers;
 }
 
-void SemanticVoxelMap::dismiss(instance_id_t id)
+void SemanticVoxelMap::deactivate(instance_id_t id)
 {
-    m_dismissed.insert(m_instances.at(id).id);
+    m_inactive.insert(m_instances.at(id).id);
 }
 
 instance_id_t SemanticVoxelMap::winnerOfTheRest(const VoxelEvidence& evidence) const
 {
     VoxelEvidence rest = evidence;
     for (const auto& e : evidence)
-        if (isDismissed(e.instance)) rest.remove(e.instance);
+        if (isInactive(e.instance)) rest.remove(e.instance);
     return rest.strongest();
 }
 

@@ -7,13 +7,13 @@
 
 namespace voxeland
 {
-void dismissSmallInstances(SemanticVoxelMap& map, uint32_t minVoxels)
+void deactivateSmallInstances(SemanticVoxelMap& map, uint32_t minVoxels)
 {
     std::set<instance_id_t> large;
     for (const InstanceSummary& s : summarizeInstances(map))
         if (s.voxels >= minVoxels) large.insert(s.id);
     // Also those that win no voxel: they would, once what outvotes them is gone.
     for (const auto& [id, instance] : map.instances())
-        if (large.count(id) == 0) map.dismiss(id);
+        if (large.count(id) == 0) map.deactivate(id);
 }
 }  // namespace voxeland

@@ -9,7 +9,7 @@
 #include "voxeland/base/errors.h"
 #include "voxeland/base/numbers.h"
 #include "voxeland/base/printable.h"
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 #include "voxeland/level/UpDirection.h"
 #include "voxeland/metric_map/MapFile.h"
 
@@ -199,7 +199,7 @@ void CVoxelandMap::saveMetricMapRepresentationToFile(const std::string& prefix) 
     }
     saveMap(complete, prefix + ".voxeland");
     if (!genericMapParams.enableSaveAs3DObject) return;
-    const LevelFrame frame(estimateUp(complete.map()));
+    const GravityAlignedFrame frame(estimateUp(complete.map()));
     exportScene(complete.map(), frame, prefix + ".3Dscene");
 }
 

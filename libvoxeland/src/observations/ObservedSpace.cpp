@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/ObservedSpace.h"
 
-#include "grid/RayBundle.h"
+#include "grid/RayPacket.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ int32_t stepsBetween(const VoxelCoord& a, const VoxelCoord& b)
     return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
 }
 
-/** Casts rays and marks the cells they go through, RayBundle::RAYS at a time. */
+/** Casts rays and marks the cells they go through, RayPacket::RAYS at a time. */
 class RayCaster
 {
  public:
@@ -91,8 +91,8 @@ class RayCaster
     template <int32_t (RayCaster::*AIM)(size_t, const TPoint3D&)>
     void cast(const std::vector<HitVoxel>& voxels)
     {
-        for (size_t i = 0; i < voxels.size(); i += RayBundle::RAYS) {
-            const size_t rays = std::min(RayBundle::RAYS, voxels.size() - i);
+        for (size_t i = 0; i < voxels.size(); i += RayPacket::RAYS) {
+            const size_t rays = std::min(RayPacket::RAYS, voxels.size() - i);
             int32_t longest = 0;
             for (size_t r = 0; r < rays; ++r)
                 longest = std::max(longest, (this->*AIM)(r, voxels[i + r].centroid));
@@ -146,7 +146,7 @@ class RayCaster
     {
         const int32_t end = std::min(last + 1 - m_done, STEPS);
         for (int32_t s = std::max(first - m_done, 0); s < end; ++s) {
-            const uint64_t key = m_keys[static_cast<size_t>(s) * RayBundle::RAYS + ray];
+            const uint64_t key = m_keys[static_cast<size_t>(s) * RayPacket::RAYS + ray];
             (m_blocks.at(key).*MASK).set(BlockFinder::cellOf(key));
         }
     }
@@ -155,10 +155,10 @@ class RayCaster
     VoxelCoord m_start;
     double m_inverseResolution, m_margin;
     BlockFinder m_blocks;
-    RayBundle m_rays;
-    std::array<int32_t, RayBundle::RAYS> m_toHit{}, m_toEnd{};  //!< steps from m_start
+    RayPacket m_rays;
+    std::array<int32_t, RayPacket::RAYS> m_toHit{}, m_toEnd{};  //!< steps from m_start
     int32_t m_done = 0;                                         //!< steps before those of m_keys
-    std::array<uint64_t, STEPS * RayBundle::RAYS> m_keys{};
+    std::array<uint64_t, STEPS * RayPacket::RAYS> m_keys{};
 };
 }  // namespace
 

@@ -4,8 +4,8 @@
 #include "DepthImageCheck.h"
 #include "MaskCamera.h"
 #include "PixelDirections.h"
-#include "PixelGrouping.h"
 #include "Projection.h"
+#include "VoxelBinning.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/observations/UnusableFrame.h"
 
@@ -64,7 +64,7 @@ VoxelizedFrame::VoxelizedFrame(const RgbdFrame& frame, double resolution, const 
     if (!isValidPose(sensorPose)) throw UnusableFrame(frameName(scan) + " has an invalid pose");
     m_focalLength = scan.cameraParams.fx();
     m_origin = sensorPose.translation();
-    GroupedPixels grouped = groupPixels(scan, sensorPose, resolution, limits);
+    BinnedPixels grouped = binPixels(scan, sensorPose, resolution, limits);
     m_hits = std::move(grouped.hits);
     m_beyond = std::move(grouped.beyond);
     m_runs = std::move(grouped.runs);

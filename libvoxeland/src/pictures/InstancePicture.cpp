@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstancePicture.h"
 
-#include "SightPainting.h"
+#include "Compositor.h"
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -13,7 +13,7 @@ constexpr Color SUBJECT{235, 145, 85}, OTHER_OBJECT{150, 170, 195};
 
 }  // namespace
 
-std::string instancePicture(const SemanticVoxelMap& map, const LevelFrame& frame,
+std::string instancePicture(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                             instance_id_t instance, int height)
 {
     const VoxelScene scene(map, frame, instance);
@@ -26,7 +26,7 @@ std::string instancePicture(const SemanticVoxelMap& map, const LevelFrame& frame
     const cv::Size fine = cv::Size(height * 4 / 3, height) * OVERSAMPLING;
     const auto camera = ViewCamera::perspective(scene, fine, bestAzimuth(scene, fine));
     std::vector<uchar> png;
-    cv::imencode(".png", paint(Sight(scene, camera, fine), colors), png);
+    cv::imencode(".png", composite(Sight(scene, camera, fine), colors), png);
     return {png.begin(), png.end()};
 }
 }  // namespace voxeland

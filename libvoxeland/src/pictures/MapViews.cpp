@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapViews.h"
 
-#include "SightPainting.h"
+#include "Compositor.h"
+#include "Figure.h"
 #include "ViewColoring.h"
-#include "ViewSheet.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/files/AtomicFile.h"
 #include "voxeland/files/OutputFolder.h"
@@ -31,8 +31,8 @@ MapViews drawViews(const SemanticVoxelMap& map, const ViewOptions& options)
     if (options.up && !(options.up->norm() > 0))
         throw ConfigurationError("the up direction must not be 0,0,0");
 
-    const VoxelScene scene(map, LevelFrame(options.up ? *options.up : estimateUp(map)));
-    const cv::Size picture = ViewSheet::pictureSize(options.height);
+    const VoxelScene scene(map, GravityAlignedFrame(options.up ? *options.up : estimateUp(map)));
+    const cv::Size picture = Figure::pictureSize(options.height);
     const cv::Size fine = picture * OVERSAMPLING;
     const double azimuth = bestAzimuth(scene, picture);
     const auto fromAbove = ViewCamera::top(scene, picture);
@@ -46,9 +46,9 @@ MapViews drawViews(const SemanticVoxelMap& map, const ViewOptions& options)
         for (const bool top : {true, false}) {
             const ViewCamera& camera = top ? fromAbove : fromCorner;
             const std::string title = coloring.title + (top ? " (top view)" : " (perspective)");
-            ViewSheet sheet(options.height);
+            Figure sheet(options.height);
             sheet.drawTitle(title);
-            sheet.drawPicture(paint(top ? above : corner, coloring.colors));
+            sheet.drawPicture(composite(top ? above : corner, coloring.colors));
             sheet.drawLabels(coloring.labels, camera);
             if (top) sheet.drawScale(camera.pixelsPerMetre());
             sheet.drawAxes(scene, camera);

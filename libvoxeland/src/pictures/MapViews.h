@@ -31,7 +31,7 @@ struct MapViews
     };
     std::vector<Picture> pictures;
     double azimuth = 0;  //!< where the perspective is seen from: direction from the middle of the
-                         //!< map to the eye, in the level frame [rad]
+                         //!< map to the eye, in the gravity-aligned frame [rad]
 };
 
 /** Draws a map as pictures with legends, by software (no display, no GPU). Five colourings

@@ -16,14 +16,14 @@ class ViewCamera
      *  \param azimuth direction from the middle to the camera, from x towards y [rad] */
     static ViewCamera perspective(const VoxelScene& scene, cv::Size image, double azimuth);
 
-    /** Pixel column and row of a point of the level frame, and its depth [m]. */
+    /** Pixel column and row of a point of the gravity-aligned frame, and its depth [m]. */
     [[nodiscard]] cv::Vec3f project(const cv::Vec3f& point) const;
     /** Direction of view at a point, not normalized. */
     [[nodiscard]] cv::Vec3f rayTo(const cv::Vec3f& point) const
     {
         return m_eye ? point - *m_eye : m_forward;
     }
-    /** A direction of the level frame as it points in the image (column, row). */
+    /** A direction of the gravity-aligned frame as it points in the image (column, row). */
     [[nodiscard]] cv::Point2f inImage(const cv::Vec3f& direction) const
     {
         return {m_right.dot(direction), m_down.dot(direction)};

@@ -35,14 +35,14 @@ cv::Vec3f toCv(const mrpt::math::TPoint3D& p)
 }
 }  // namespace
 
-VoxelScene::VoxelScene(double resolution, const LevelFrame& frame)
+VoxelScene::VoxelScene(double resolution, const GravityAlignedFrame& frame)
     : m_resolution(resolution),
       m_frame(frame),
       m_axes({toLevel({1, 0, 0}), toLevel({0, 1, 0}), toLevel({0, 0, 1})})
 {
 }
 
-VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame)
+VoxelScene::VoxelScene(const SemanticVoxelMap& map, const GravityAlignedFrame& frame)
     : VoxelScene(map.resolution(), frame)
 {
     const float cut = cutHeight(map);
@@ -59,7 +59,8 @@ VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame)
     findBounds();
 }
 
-VoxelScene::VoxelScene(const SemanticVoxelMap& map, const LevelFrame& frame, instance_id_t instance)
+VoxelScene::VoxelScene(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+                       instance_id_t instance)
     : VoxelScene(map.resolution(), frame)
 {
     using Found = std::optional<instance_id_t>;

@@ -146,7 +146,7 @@ void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
         if (isNew) instance.firstFrame = frameNumber;
         map.saw(instance.id, frameNumber);
         ++instance.observations;
-        map.readmit(instance.id);
+        map.reactivate(instance.id);
         if (opinion.track != InstancePrediction::NO_TRACK) instance.tracks.insert(opinion.track);
     }
 }

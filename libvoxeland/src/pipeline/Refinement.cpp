@@ -152,16 +152,16 @@ MergeDecision decide(const SemanticVoxelMap& map, const InstanceOverlap& overlap
 
 /** Shows as *unknown* what has too little evidence and was not seen again. Never forgets it.
  *  \param sinceFrame instances that were not seen since keep their state */
-void dismissDoubtful(SemanticVoxelMap& map, const RefinementOptions& options, uint32_t frame,
-                     uint32_t sinceFrame)
+void deactivateDoubtful(SemanticVoxelMap& map, const RefinementOptions& options, uint32_t frame,
+                        uint32_t sinceFrame)
 {
     for (const instance_id_t id : map.seenSince(sinceFrame)) {
         const Instance& instance = map.instance(id);
         const bool doubtful = instance.categories.total() < options.min_evidence;
         if (doubtful && frame > instance.lastFrame + options.patience)
-            map.dismiss(id);
+            map.deactivate(id);
         else
-            map.readmit(id);
+            map.reactivate(id);
     }
 }
 }  // namespace
@@ -188,6 +188,6 @@ void refine(SemanticVoxelMap& map, const CAssociationPolicy& policy,
     // Those seen before were not waited for any longer at the last refinement either.
     const uint32_t waitedFor =
         isFirst || sinceFrame < options.patience ? 0 : sinceFrame - options.patience;
-    dismissDoubtful(map, options, counts.frames, waitedFor);
+    deactivateDoubtful(map, options, counts.frames, waitedFor);
 }
 }  // namespace voxeland

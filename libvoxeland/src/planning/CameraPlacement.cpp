@@ -25,7 +25,7 @@ constexpr double LEAST_VISIBLE = 0.2;
 class Target
 {
  public:
-    Target(const SemanticVoxelMap& map, const LevelFrame& frame,
+    Target(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
            const std::vector<VoxelCoord>& voxels)
         : m_map(map)
     {
@@ -44,7 +44,7 @@ class Target
         for (size_t i = 0; i < voxels.size(); i += step) m_checked.push_back(voxels[i]);
     }
 
-    /** Of the box around it, in the level frame [m]. */
+    /** Of the box around it, in the gravity-aligned frame [m]. */
     [[nodiscard]] const TPoint3D& middle() const { return m_middle; }
     /** Of a ball around it [m]. */
     [[nodiscard]] double radius() const { return m_radius; }
@@ -58,7 +58,7 @@ class Target
     }
 
  private:
-    [[nodiscard]] TPoint3D level(const LevelFrame& frame, const VoxelCoord& v) const
+    [[nodiscard]] TPoint3D level(const GravityAlignedFrame& frame, const VoxelCoord& v) const
     {
         return frame.toLevel(voxelCenter<TPoint3D>(v, m_map.resolution()));
     }
@@ -83,8 +83,8 @@ class Target
 };
 
 /** Whether somebody can stand at a place and hold the camera there. */
-bool canStand(const SemanticVoxelMap& map, const LevelFrame& frame, const CarriedCamera& camera,
-              const TPoint3D& eye, double floor)
+bool canStand(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
+              const CarriedCamera& camera, const TPoint3D& eye, double floor)
 {
     constexpr double ABOVE_FLOOR = 0.15;
     const double edge = map.resolution();
@@ -99,8 +99,8 @@ bool canStand(const SemanticVoxelMap& map, const LevelFrame& frame, const Carrie
     return true;
 }
 
-/** Looking from a place at another. \param eye, at in the level frame */
-CameraPose poseTowards(const LevelFrame& frame, const TPoint3D& eye, const TPoint3D& at)
+/** Looking from a place at another. \param eye, at in the gravity-aligned frame */
+CameraPose poseTowards(const GravityAlignedFrame& frame, const TPoint3D& eye, const TPoint3D& at)
 {
     const TPoint3D way = at - eye;
     CameraPose result;
@@ -113,7 +113,7 @@ CameraPose poseTowards(const LevelFrame& frame, const TPoint3D& eye, const TPoin
 }
 
 /** All places to look at a target from. */
-std::vector<CameraPose> candidates(const SemanticVoxelMap& map, const LevelFrame& frame,
+std::vector<CameraPose> candidates(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                                    const CarriedCamera& camera, double floor, const Target& target)
 {
     const double angle = std::min(camera.horizontalAngle, camera.verticalAngle) / 2 * DEGREE;
@@ -137,7 +137,7 @@ std::vector<CameraPose> candidates(const SemanticVoxelMap& map, const LevelFrame
 }
 }  // namespace
 
-std::vector<CameraPose> placeCamera(const SemanticVoxelMap& map, const LevelFrame& frame,
+std::vector<CameraPose> placeCamera(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                                     const CarriedCamera& camera, double floor,
                                     const std::vector<VoxelCoord>& voxels, size_t most)
 {

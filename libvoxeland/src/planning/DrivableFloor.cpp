@@ -37,7 +37,7 @@ double distanceToBorder(const OrientedBox& box, double direction)
 }
 }  // namespace
 
-DrivableFloor::DrivableFloor(const SemanticVoxelMap& map, const LevelFrame& frame,
+DrivableFloor::DrivableFloor(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                              const DrivingRobot& robot)
     : m_map(map),
       m_frame(frame),

@@ -70,7 +70,7 @@ std::vector<Candidate> allCandidates(const SemanticVoxelMap& map)
 }  // namespace
 
 std::vector<ReobservationTarget> planReobservation(const SemanticVoxelMap& map,
-                                                   const LevelFrame& frame,
+                                                   const GravityAlignedFrame& frame,
                                                    const CarriedCamera& camera, size_t most)
 {
     std::vector<Candidate> all = allCandidates(map);

@@ -25,6 +25,6 @@ struct ReobservationTarget
  *  instance has a part in, are left out.
  *  \param most how many to give */
 std::vector<ReobservationTarget> planReobservation(const SemanticVoxelMap& map,
-                                                   const LevelFrame& frame,
+                                                   const GravityAlignedFrame& frame,
                                                    const CarriedCamera& camera, size_t most = 10);
 }  // namespace voxeland

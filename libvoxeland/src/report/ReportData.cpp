@@ -152,7 +152,7 @@ std::string reportData(const SemanticVoxelMap& map, const MappingCounts& counts,
     viewOptions.up = options.up ? *options.up : estimateUp(map);
     viewOptions.height = 800;
     const MapViews views = drawViews(map, viewOptions);
-    const LevelFrame frame(*viewOptions.up);
+    const GravityAlignedFrame frame(*viewOptions.up);
     const std::vector<FoundInstance> instances = listInstances(map, frame);
     json data = {{"title", options.title},           {"timing", options.timing},
                  {"evaluation", options.evaluation}, {"summary", summaryOf(map, counts)},

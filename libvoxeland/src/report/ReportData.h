@@ -10,7 +10,7 @@ namespace voxeland
  *  - `title`, `timing`, `evaluation`: texts, the latter two may be empty;
  *  - `summary`: list of pairs of texts;
  *  - `resolution` [m], `azimuth` (MapViews::azimuth);
- *  - `axes`: the level frame's axes in the map's frame;
+ *  - `axes`: the gravity-aligned frame's axes in the map's frame;
  *  - `origin`: smallest voxel coordinates; `voxels`: their number;
  *  - `positions`: voxel coordinates from `origin` on, 3 x uint16 each; `owners`: uint32, 0 for
  *    *unknown* or 1 + index in `instances`; `doubts`: uint8, entropy over instances, 255 being

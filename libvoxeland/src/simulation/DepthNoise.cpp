@@ -28,7 +28,7 @@ float axialSigma(const DepthNoiseOptions& o, float z)
     return o.axialConstant + o.axialFactor * d * d;
 }
 
-std::vector<uint16_t> measureDepth(const RenderedView& view, const PinholeCamera& camera,
+std::vector<uint16_t> measureDepth(const RenderedView& view, const RenderCamera& camera,
                                    const DepthNoiseOptions& o, Random& random)
 {
     constexpr float EDGE = 0.05F;  // a jump of more than this share of the depth is an edge

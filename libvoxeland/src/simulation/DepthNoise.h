@@ -11,7 +11,7 @@ namespace voxeland::simulation
 /** Makes of an exact view what a structured-light depth camera would measure.
  *  \return row-major depth [mm]; 0 where nothing is measured */
 [[nodiscard]] std::vector<uint16_t> measureDepth(const RenderedView& view,
-                                                 const PinholeCamera& camera,
+                                                 const RenderCamera& camera,
                                                  const DepthNoiseOptions& options, Random& random);
 
 /** Standard deviation of the noise along the ray [m] at depth z [m]. */

@@ -91,7 +91,7 @@ class NoisyDetector::Frame
     /** A detection of nothing: a random ellipse. */
     void imagine()
     {
-        const PinholeCamera& camera = m_detector.m_camera;
+        const RenderCamera& camera = m_detector.m_camera;
         const float rx = m_random.uniform(10, 70) * camera.scale(),
                     ry = m_random.uniform(10, 70) * camera.scale();
         const float cx = m_random.uniform(0, static_cast<float>(camera.width)),
@@ -126,7 +126,7 @@ class NoisyDetector::Frame
 
     [[nodiscard]] Bitmap exactMask(ObjectId id) const
     {
-        const PinholeCamera& camera = m_detector.m_camera;
+        const RenderCamera& camera = m_detector.m_camera;
         Bitmap mask{camera.width, camera.height, std::vector<uint8_t>(camera.pixels(), 0)};
         cover(id, mask);
         return mask;
@@ -148,7 +148,7 @@ class NoisyDetector::Frame
     std::vector<InstancePrediction> m_result;
 };
 
-NoisyDetector::NoisyDetector(const Scene& scene, const PinholeCamera& camera,
+NoisyDetector::NoisyDetector(const Scene& scene, const RenderCamera& camera,
                              const DetectorOptions& options, Random random)
     : m_scene(scene), m_camera(camera), m_options(options), m_recognition(scene, options, random)
 {

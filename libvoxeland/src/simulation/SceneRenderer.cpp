@@ -10,7 +10,7 @@
 
 namespace voxeland::simulation
 {
-PinholeCamera::PinholeCamera(const CameraOptions& o)
+RenderCamera::RenderCamera(const CameraOptions& o)
     : width(o.width),
       height(o.height),
       focal(o.focalLength * static_cast<float>(o.width) / 640.0F),
@@ -19,8 +19,8 @@ PinholeCamera::PinholeCamera(const CameraOptions& o)
 {
 }
 
-std::optional<PinholeCamera::Pixel> PinholeCamera::project(const CameraFrame& frame,
-                                                           const Vector3& point) const
+std::optional<RenderCamera::Pixel> RenderCamera::project(const CameraFrame& frame,
+                                                         const Vector3& point) const
 {
     constexpr float NEAR = 0.05F;
     const Vector3 p = point - frame.origin;
@@ -42,7 +42,7 @@ CameraFrame::CameraFrame(const mrpt::math::TPose3D& pose)
     up = frame.rotateVector({0, 0, 1}).cast<float>();
 }
 
-SceneRenderer::SceneRenderer(const Scene& scene, const PinholeCamera& camera)
+SceneRenderer::SceneRenderer(const Scene& scene, const RenderCamera& camera)
     : m_scene(scene), m_camera(camera)
 {
     for (const auto& room : scene.rooms())

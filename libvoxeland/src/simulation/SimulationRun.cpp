@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulationRun.h"
 
-#include "GroundTruth.h"
+#include "TrueSurfaces.h"
 #include "base/ClassicNumbers.h"
 #include "voxeland/files/AtomicFile.h"
 #include "voxeland/files/OutputFolder.h"
@@ -64,7 +64,7 @@ SimulationSummary runSimulation(const SimulationOptions& options, const Simulati
 {
     const Simulator simulator(options);
     RgbdRawlogWriter writer(output.rawlog, output.rawlogOptions);
-    std::optional<GroundTruth> groundTruth;
+    std::optional<TrueSurfaces> groundTruth;
     if (!output.groundTruthFolder.empty()) {
         makeOutputFolder(output.groundTruthFolder);
         groundTruth.emplace(simulator.scene(), simulator.camera(), options.groundTruthSpacing,

@@ -14,7 +14,7 @@ struct SimulationOutput
 {
     std::string rawlog;  //!< target, ending in .rawlog
     RgbdRawlogWriter::Options rawlogOptions;
-    std::string groundTruthFolder;  //!< see GroundTruth; empty: none
+    std::string groundTruthFolder;  //!< see TrueSurfaces; empty: none
     unsigned threads = 0;           //!< frames computed at the same time; 0: one a core
 };
 

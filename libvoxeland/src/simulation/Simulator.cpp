@@ -56,7 +56,7 @@ std::vector<mrpt::math::TPose2D> onFloor(const std::vector<ReportedPose>& poses)
     return result;
 }
 
-mrpt::img::TCamera mrptCamera(const PinholeCamera& camera)
+mrpt::img::TCamera mrptCamera(const RenderCamera& camera)
 {
     mrpt::img::TCamera result;
     result.ncols = static_cast<uint32_t>(camera.width);

@@ -19,7 +19,7 @@ struct MapOverview
     size_t observedVoxels = 0;  //!< whose occupancy is known, free ones included
     size_t occupiedVoxels = 0;  //!< surface voxels now more likely occupied than free
     size_t instances = 0;       //!< that win at least one occupied voxel
-    size_t dismissed = 0;       //!< instances of too little evidence, shown as *unknown*
+    size_t inactive = 0;        //!< instances of too little evidence, shown as *unknown*
     std::map<std::string, unsigned> categories;  //!< those instances, by most probable category
     SemanticVoxelMap::Memory memory;
     MappingCounts counts;  //!< of the frames it was built from
@@ -37,7 +37,8 @@ struct FoundInstance
 /** All instances with an occupied voxel: those of most voxels first, the surer first of equals. */
 std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map);
 /** The same. \param frame tells where up is; estimateUp() otherwise */
-std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map, const LevelFrame& frame);
+std::vector<FoundInstance> listInstances(const SemanticVoxelMap& map,
+                                         const GravityAlignedFrame& frame);
 
 /** Instances whose most probable category fits a name best (see NameFit): those called the same; if
  *  there is none, those of which it is the plural or singular; if there is none, those whose

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/files/WrittenFiles.h"
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <functional>
 #include <optional>
@@ -14,7 +14,7 @@ namespace voxeland
 /** What all outputs of a map have in common. */
 struct ExportSettings
 {
-    LevelFrame frame;                          //!< where up is, and heights are measured
+    GravityAlignedFrame frame;                 //!< where up is, and heights are measured
     std::optional<HeightRange> heights;        //!< above the floor [m]; none: the exporter's own
     std::set<std::string> categories, except;  //!< of points, see PointsFilter
     bool occupiedOnly = true;  //!< without voxels measured once that are now believed free
@@ -54,8 +54,8 @@ const std::vector<Exporter>& exporters();
  *  \throws ConfigurationError, naming the option, if it ends like another format's files */
 void checkEnding(const Exporter& exporter, const std::string& output);
 
-/** The heights that were asked for, or else these, in the level frame instead of above the floor
- * [m]. Notes where they are. */
+/** The heights that were asked for, or else these, in the gravity-aligned frame instead of above
+ * the floor [m]. Notes where they are. */
 HeightRange heightsInFrame(const SemanticVoxelMap& map, const ExportSettings& settings,
                            const HeightRange& otherwise);
 }  // namespace voxeland

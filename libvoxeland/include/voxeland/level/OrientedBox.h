@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <map>
 #include <vector>
@@ -12,8 +12,9 @@ struct OrientedBox
 {
     mrpt::math::TPoint3D center;  //!< [m]
     mrpt::math::TPoint3D size;    //!< along its own x (the longer side), y, and up [m]
-    double yaw = 0;   //!< from the x axis of the level frame to the box's, in (-pi/2, pi/2] [rad]
-    LevelFrame axes;  //!< the directions of its sides, the last one being up
+    double yaw =
+        0;  //!< from the x axis of the gravity-aligned frame to the box's, in (-pi/2, pi/2] [rad]
+    GravityAlignedFrame axes;  //!< the directions of its sides, the last one being up
 };
 
 /** The box around the main part of an object, in the map's frame: the upright box whose rectangle
@@ -23,11 +24,11 @@ struct OrientedBox
  * voxels' centres, and half an edge is added on each side. \param voxels not empty \param
  * resolution edge [m] \param frame tells what is horizontal */
 OrientedBox orientedBox(const std::vector<VoxelCoord>& voxels, double resolution,
-                        const LevelFrame& frame = LevelFrame());
+                        const GravityAlignedFrame& frame = GravityAlignedFrame());
 
 /** The boxes of all instances that win at least one occupied voxel, around those voxels, in the
  *  world.
  *  \param frame tells what is horizontal */
 std::map<instance_id_t, OrientedBox> orientedBoxes(const SemanticVoxelMap& map,
-                                                   const LevelFrame& frame);
+                                                   const GravityAlignedFrame& frame);
 }  // namespace voxeland

@@ -29,7 +29,7 @@ double categoryEntropy(const SemanticVoxelMap& map, const Instance& instance);
 /** Share of an instance's opinion that rests on no evidence, W/(W+A); 0 if the map's prior is 0. */
 double categoryVacuity(const SemanticVoxelMap& map, const Instance& instance);
 
-/** p(I_v = winner | z) of a voxel, in [0,1]; dismissed instances count for *unknown*. */
+/** p(I_v = winner | z) of a voxel, in [0,1]; inactive instances count for *unknown*. */
 double winnerProbability(const SemanticVoxelMap& map, const VoxelEvidence& evidence);
 
 /** H(I_v): entropy of a voxel's Dirichlet over instances, *unknown* included [nat]. */

@@ -148,20 +148,20 @@ class SemanticVoxelMap
      * many others there are. */
     [[nodiscard]] std::vector<instance_id_t> seenSince(uint32_t frame) const;
     /** Keeps an instance's record, but shows it as *unknown*: too little speaks for it. */
-    void dismiss(instance_id_t id);
-    /** Takes dismiss() back. */
-    void readmit(instance_id_t id) { m_dismissed.erase(id); }
-    [[nodiscard]] bool isDismissed(instance_id_t id) const { return m_dismissed.count(id) != 0; }
-    [[nodiscard]] std::set<instance_id_t> dismissed() const
+    void deactivate(instance_id_t id);
+    /** Takes deactivate() back. */
+    void reactivate(instance_id_t id) { m_inactive.erase(id); }
+    [[nodiscard]] bool isInactive(instance_id_t id) const { return m_inactive.count(id) != 0; }
+    [[nodiscard]] std::set<instance_id_t> inactive() const
     {
-        return {m_dismissed.begin(), m_dismissed.end()};
+        return {m_inactive.begin(), m_inactive.end()};
     }
-    /** The instance that most evidence of a voxel speaks for, dismissed ones aside;
+    /** The instance that most evidence of a voxel speaks for, inactive ones aside;
      *  UNKNOWN_INSTANCE where none does. */
     [[nodiscard]] instance_id_t winner(const VoxelEvidence& evidence) const
     {
         const instance_id_t first = evidence.strongest();
-        return isDismissed(first) ? winnerOfTheRest(evidence) : first;
+        return isInactive(first) ? winnerOfTheRest(evidence) : first;
     }
     /** @} */
 
@@ -210,7 +210,7 @@ class SemanticVoxelMap
     BlockMap<MapBlock> m_blocks;
     std::map<instance_id_t, Instance> m_instances;
     std::map<instance_id_t, instance_id_t> m_absorbed;  //!< id -> instance that took its evidence
-    std::unordered_set<instance_id_t> m_dismissed;
+    std::unordered_set<instance_id_t> m_inactive;
     std::set<std::pair<uint32_t, instance_id_t>> m_byLastFrame;  //!< all live instances
     instance_id_t m_nextInstance = 1;
     CategoryTable m_categories;

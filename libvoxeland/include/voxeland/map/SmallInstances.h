@@ -4,7 +4,7 @@
 
 namespace voxeland
 {
-/** Dismisses instances that win few occupied voxels, for exports that should show objects only.
+/** Deactivates instances that win few occupied voxels, for exports that should show objects only.
  *  \param minVoxels what an instance must win to stay */
-void dismissSmallInstances(SemanticVoxelMap& map, uint32_t minVoxels);
+void deactivateSmallInstances(SemanticVoxelMap& map, uint32_t minVoxels);
 }  // namespace voxeland

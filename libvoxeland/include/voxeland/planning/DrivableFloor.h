@@ -25,13 +25,13 @@ struct DrivingRobot
     double reach = 0.8;      //!< farthest from its middle to a thing it stands before [m]
 };
 
-/** Where a robot can stand, in a level frame: its x and y, and yaw from x towards y. */
+/** Where a robot can stand, in a gravity-aligned frame: its x and y, and yaw from x towards y. */
 class DrivableFloor
 {
  public:
     /** Keeps a reference to the map, which must not change meanwhile.
      *  \throws ConfigurationError if nothing was observed at the robot's heights */
-    DrivableFloor(const SemanticVoxelMap& map, const LevelFrame& frame,
+    DrivableFloor(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                   const DrivingRobot& robot = DrivingRobot());
 
     /** The slice between the robot's clearance and height: what MRPT's planners plan in. */
@@ -48,9 +48,9 @@ class DrivableFloor
     [[nodiscard]] bool sees(const mrpt::math::TPoint2D& from, const OrientedBox& box) const;
 
     const SemanticVoxelMap& m_map;
-    LevelFrame m_frame;
+    GravityAlignedFrame m_frame;
     DrivingRobot m_robot;
-    double m_floor;  //!< its height in the level frame [m]
+    double m_floor;  //!< its height in the gravity-aligned frame [m]
     std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> m_grid;
 };
 }  // namespace voxeland

@@ -14,7 +14,7 @@ class NoisyDetector
 {
  public:
     /** Keeps a reference to the scene. \param random decides what is confused with what */
-    NoisyDetector(const Scene& scene, const PinholeCamera& camera, const DetectorOptions& options,
+    NoisyDetector(const Scene& scene, const RenderCamera& camera, const DetectorOptions& options,
                   Random random);
 
     /** Predictions for an image, the best score first. Safe to call from several threads. */
@@ -40,7 +40,7 @@ class NoisyDetector
     class Frame;
 
     const Scene& m_scene;
-    PinholeCamera m_camera;
+    RenderCamera m_camera;
     DetectorOptions m_options;
     Recognition m_recognition;
     std::vector<std::vector<SurfacePoint>> m_surfaces;  //!< sparse points of each object

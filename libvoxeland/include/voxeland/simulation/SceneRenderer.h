@@ -18,12 +18,12 @@ struct CameraFrame
 
 /** Pinhole camera without distortion. The camera's frame has x forward, y left, z up; columns
  *  grow to the right, rows downwards. */
-struct PinholeCamera
+struct RenderCamera
 {
     int width = 0, height = 0;        //!< [pixels]
     float focal = 0, cx = 0, cy = 0;  //!< [pixels]
 
-    explicit PinholeCamera(const CameraOptions& options);
+    explicit RenderCamera(const CameraOptions& options);
 
     /** Where a point of the world is seen. */
     struct Pixel
@@ -57,7 +57,7 @@ class SceneRenderer
 {
  public:
     /** Keeps a reference to the scene. */
-    SceneRenderer(const Scene& scene, const PinholeCamera& camera);
+    SceneRenderer(const Scene& scene, const RenderCamera& camera);
 
     /** \param pose of the camera, x forward, z up. Safe to call from several threads. */
     [[nodiscard]] RenderedView render(const mrpt::math::TPose3D& pose) const;
@@ -78,7 +78,7 @@ class SceneRenderer
     [[nodiscard]] float light(const Vector3& point, const Vector3& normal) const;
 
     const Scene& m_scene;
-    PinholeCamera m_camera;
+    RenderCamera m_camera;
     std::vector<Vector3> m_lamps;  //!< one below each room's ceiling
 };
 }  // namespace voxeland::simulation

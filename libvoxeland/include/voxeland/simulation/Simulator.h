@@ -38,7 +38,7 @@ class Simulator
     Simulator& operator=(const Simulator&) = delete;
 
     [[nodiscard]] const Scene& scene() const { return m_scene; }
-    [[nodiscard]] const PinholeCamera& camera() const { return m_camera; }
+    [[nodiscard]] const RenderCamera& camera() const { return m_camera; }
     [[nodiscard]] size_t size() const { return m_truePoses.size(); }
 
     /** Computes a frame; safe to call from several threads. \param index in [0, size()) */
@@ -54,7 +54,7 @@ class Simulator
 
     SimulationOptions m_options;
     Scene m_scene;
-    PinholeCamera m_camera;
+    RenderCamera m_camera;
     std::vector<mrpt::math::TPose3D> m_truePoses, m_robotPoses;
     std::vector<ReportedPose> m_reportedPoses;
     std::vector<mrpt::math::TPose2D> m_odometry;

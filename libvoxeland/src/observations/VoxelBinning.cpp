@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PixelGrouping.h"
+#include "VoxelBinning.h"
 
 #include "PixelDirections.h"
 #include "base/vectorized.h"
@@ -264,9 +264,9 @@ class VoxelGrouping
 };
 }  // namespace
 
-GroupedPixels groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
-                          const mrpt::poses::CPose3D& sensorPose, double resolution,
-                          const DepthLimits& limits)
+BinnedPixels binPixels(const mrpt::obs::CObservation3DRangeScan& scan,
+                       const mrpt::poses::CPose3D& sensorPose, double resolution,
+                       const DepthLimits& limits)
 {
     const auto rows = static_cast<size_t>(scan.rangeImage.rows());
     const auto columns = static_cast<size_t>(scan.rangeImage.cols());
@@ -285,7 +285,7 @@ GroupedPixels groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
     u.nearest = std::max(static_cast<float>(limits.min_depth), std::numeric_limits<float>::min());
     u.farthest = static_cast<float>(limits.max_depth);
 
-    GroupedPixels grouped;
+    BinnedPixels grouped;
     std::vector<PixelRun>& found = grouped.runs;
     found.reserve(rows * columns / 2);
     PixelDirections directions(scan);

@@ -6,11 +6,11 @@
 namespace voxeland
 {
 /** A page with a title, a picture on the left and its legend on the right. */
-class ViewSheet
+class Figure
 {
  public:
     /** \param height of the page [px]; it is half as wide again */
-    explicit ViewSheet(int height);
+    explicit Figure(int height);
 
     /** Size of the picture of a page of this height [px]. */
     static cv::Size pictureSize(int height);

@@ -16,7 +16,7 @@ namespace voxeland::simulation
  *  - `objects.csv`: header `id,category,x,y,z,size_x,size_y,size_z,points`; centre and size of the
  *    box along the world's axes around the whole object [m], number of its points in the PLY
  *  - `trajectory.tum`: true poses of the robot, `time x y z qx qy qz qw`, x forward, z up */
-class GroundTruth
+class TrueSurfaces
 {
  public:
     /** A point of a surface. */
@@ -30,7 +30,7 @@ class GroundTruth
     /** Keeps a reference to the scene.
      *  \param spacing between neighbouring points, at most [m]
      *  \param maxRange what is farther from the camera does not count as seen [m] */
-    GroundTruth(const Scene& scene, const PinholeCamera& camera, float spacing, float maxRange);
+    TrueSurfaces(const Scene& scene, const RenderCamera& camera, float spacing, float maxRange);
 
     /** Marks the points that one view shows. */
     void see(const RenderedView& view, const mrpt::math::TPose3D& pose);
@@ -43,7 +43,7 @@ class GroundTruth
 
  private:
     const Scene& m_scene;
-    PinholeCamera m_camera;
+    RenderCamera m_camera;
     float m_maxRange;
     std::vector<Point> m_points;
 };

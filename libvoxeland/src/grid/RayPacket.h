@@ -8,7 +8,7 @@ namespace voxeland
 {
 /** Walks many rays through voxels at once. The steps of one ray have to wait for one another;
  *  a step of all rays is a plain loop over arrays. */
-class RayBundle
+class RayPacket
 {
  public:
     static constexpr size_t RAYS = 16;

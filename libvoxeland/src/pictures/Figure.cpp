@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ViewSheet.h"
+#include "Figure.h"
 
 #include "base/ClassicNumbers.h"
 
@@ -29,17 +29,17 @@ cv::Scalar bgr(const Color& c)
 }
 }  // namespace
 
-ViewSheet::ViewSheet(int height)
+Figure::Figure(int height)
     : m_image(height, height * 3 / 2, cv::Vec3b(255, 255, 255)), m_unit(height / 1000.0)
 {
 }
 
-cv::Size ViewSheet::pictureSize(int height)
+cv::Size Figure::pictureSize(int height)
 {
     return {scaled(height / 1000.0, LEGEND_LEFT - 20), height - scaled(height / 1000.0, TITLE)};
 }
 
-void ViewSheet::write(const std::string& text, cv::Point baseline, double size, bool halo)
+void Figure::write(const std::string& text, cv::Point baseline, double size, bool halo)
 {
     const double scale = 0.5 * size * m_unit;
     const int thickness = std::max(1, scaled(m_unit, size));
@@ -51,17 +51,17 @@ void ViewSheet::write(const std::string& text, cv::Point baseline, double size, 
     put(BLACK, thickness);
 }
 
-void ViewSheet::drawTitle(const std::string& text)
+void Figure::drawTitle(const std::string& text)
 {
     write(text, {scaled(m_unit, 20), scaled(m_unit, 40)}, 1.6);
 }
 
-void ViewSheet::drawPicture(const cv::Mat3b& picture)
+void Figure::drawPicture(const cv::Mat3b& picture)
 {
     picture.copyTo(m_image(cv::Rect({0, scaled(m_unit, TITLE)}, picture.size())));
 }
 
-void ViewSheet::drawLabels(const std::vector<ViewColoring::Label>& labels, const ViewCamera& camera)
+void Figure::drawLabels(const std::vector<ViewColoring::Label>& labels, const ViewCamera& camera)
 {
     const int height = scaled(m_unit, 16);
     std::vector<cv::Rect> written;
@@ -78,7 +78,7 @@ void ViewSheet::drawLabels(const std::vector<ViewColoring::Label>& labels, const
     }
 }
 
-void ViewSheet::drawScale(float pixelsPerMetre)
+void Figure::drawScale(float pixelsPerMetre)
 {
     double metres = 0.01;
     for (const double m : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
@@ -91,7 +91,7 @@ void ViewSheet::drawScale(float pixelsPerMetre)
     write(format("%g m", metres), left - cv::Point(0, scaled(m_unit, 10)), 1.1, true);
 }
 
-void ViewSheet::drawAxes(const VoxelScene& scene, const ViewCamera& camera)
+void Figure::drawAxes(const VoxelScene& scene, const ViewCamera& camera)
 {
     const cv::Point origin(scaled(m_unit, 1410), scaled(m_unit, 930));
     const float length = static_cast<float>(45 * m_unit);
@@ -105,7 +105,7 @@ void ViewSheet::drawAxes(const VoxelScene& scene, const ViewCamera& camera)
     }
 }
 
-int ViewSheet::drawBar(double maximum, int row)
+int Figure::drawBar(double maximum, int row)
 {
     const int left = scaled(m_unit, LEGEND_LEFT), width = scaled(m_unit, 40),
               height = scaled(m_unit, BAR_HEIGHT);
@@ -122,7 +122,7 @@ int ViewSheet::drawBar(double maximum, int row)
     return row + height + scaled(m_unit, 40);
 }
 
-void ViewSheet::drawLegend(const ViewColoring& coloring)
+void Figure::drawLegend(const ViewColoring& coloring)
 {
     int row = scaled(m_unit, LEGEND_TOP);
     if (coloring.barMaximum > 0) row = drawBar(coloring.barMaximum, row);

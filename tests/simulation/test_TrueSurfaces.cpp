@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulation/Apartment.h"
-#include "simulation/GroundTruth.h"
+#include "simulation/TrueSurfaces.h"
 #include "support/TestFiles.h"
 
 #include <gtest/gtest.h>
@@ -26,9 +26,9 @@ class GroundTruthOfARoom : public ::testing::Test
     GroundTruthOfARoom() { m_truth.see(SceneRenderer(m_scene, m_camera).render(m_pose), m_pose); }
 
     Scene m_scene = makeApartment({}, Random(5));
-    PinholeCamera m_camera{smallImage()};
+    RenderCamera m_camera{smallImage()};
     mrpt::math::TPose3D m_pose{2.5, 2.2, 1.5, 1.6, 0.4, 0};
-    GroundTruth m_truth{m_scene, m_camera, 0.03F, 4};
+    TrueSurfaces m_truth{m_scene, m_camera, 0.03F, 4};
 };
 }  // namespace
 

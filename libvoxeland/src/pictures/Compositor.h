@@ -24,5 +24,5 @@ double bestAzimuth(const VoxelScene& scene, cv::Size image);
 
 /** The picture of what is seen, smaller by OVERSAMPLING; everything else in front of an object is
  * translucent. \param colors of VoxelScene::voxels() */
-cv::Mat3b paint(const Sight& sight, const std::vector<Color>& colors);
+cv::Mat3b composite(const Sight& sight, const std::vector<Color>& colors);
 }  // namespace voxeland

@@ -32,17 +32,18 @@ QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQues
                                const DisambiguationOptions& options);
 
 /** Asks questions in several threads, and gives the outcomes as they come. */
-class Asking
+class DisambiguationRun
 {
  public:
     /** Starts asking, in the order of the questions, in as many threads as the system allows.
      *  \throws InputError if it allows none */
-    Asking(std::shared_ptr<const CDisambiguator> backend,
-           std::vector<DisambiguationQuestion> questions, const DisambiguationOptions& options);
+    DisambiguationRun(std::shared_ptr<const CDisambiguator> backend,
+                      std::vector<DisambiguationQuestion> questions,
+                      const DisambiguationOptions& options);
     /** Asks nothing more and waits for what is being asked. */
-    ~Asking();
-    Asking(const Asking&) = delete;
-    Asking& operator=(const Asking&) = delete;
+    ~DisambiguationRun();
+    DisambiguationRun(const DisambiguationRun&) = delete;
+    DisambiguationRun& operator=(const DisambiguationRun&) = delete;
 
     /** All outcomes since the last call; empty if none comes within a fifth of a second. Those of
      * the last call count as kept: only now their threads ask the next questions, so that a run

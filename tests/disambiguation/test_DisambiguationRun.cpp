@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/base/errors.h"
-#include "voxeland/disambiguation/Asking.h"
+#include "voxeland/disambiguation/DisambiguationRun.h"
 
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ DisambiguationQuestion question(instance_id_t id)
     return q;
 }
 
-std::map<instance_id_t, QuestionOutcome> askAll(Asking& asking)
+std::map<instance_id_t, QuestionOutcome> askAll(DisambiguationRun& asking)
 {
     std::map<instance_id_t, QuestionOutcome> all;
     while (auto outcomes = asking.next())
@@ -92,7 +92,7 @@ std::map<instance_id_t, QuestionOutcome> askAll(Asking& asking)
 }
 }  // namespace
 
-TEST(Asking, EachAttemptHasWordsOfItsOwn)
+TEST(DisambiguationRun, EachAttemptHasWordsOfItsOwn)
 {
     const auto backend = scripted({{7, {"hm"}}});
     askUntilUsable(*backend, question(7), {});
@@ -102,7 +102,7 @@ TEST(Asking, EachAttemptHasWordsOfItsOwn)
         << "a recorded answer belongs to the words of its question";
 }
 
-TEST(Asking, WhoeverAnswersByHandIsAskedOnceAndMayAnswerLater)
+TEST(DisambiguationRun, WhoeverAnswersByHandIsAskedOnceAndMayAnswerLater)
 {
     const auto backend = scripted({{7, {"hm"}}, {8, {""}}, {9, {"couch"}}});
     EXPECT_FALSE(askUntilUsable(*backend, question(7), {}).waiting) << "asked in vain";
@@ -118,7 +118,7 @@ TEST(Asking, WhoeverAnswersByHandIsAskedOnceAndMayAnswerLater)
     EXPECT_FALSE(clear.waiting);
 }
 
-TEST(Asking, ADecisionRemembersWhoSaidWhatAndWhatItTook)
+TEST(DisambiguationRun, ADecisionRemembersWhoSaidWhatAndWhatItTook)
 {
     DisambiguationOptions options;
     options.prompt_price = 1000;
@@ -139,7 +139,7 @@ TEST(Asking, ADecisionRemembersWhoSaidWhatAndWhatItTook)
     EXPECT_NE(backend->prompts[7][1].find("chair, couch, unknown"), std::string::npos);
 }
 
-TEST(Asking, GivesUpAfterMaxAttemptsAndWaitsForNoOne)
+TEST(DisambiguationRun, GivesUpAfterMaxAttemptsAndWaitsForNoOne)
 {
     DisambiguationOptions options;
     options.max_attempts = 3;
@@ -152,12 +152,12 @@ TEST(Asking, GivesUpAfterMaxAttemptsAndWaitsForNoOne)
     EXPECT_EQ(backend->prompts[2].size(), 1U);
 }
 
-TEST(Asking, TheNextQuestionWaitsUntilTheAnswerIsKept)
+TEST(DisambiguationRun, TheNextQuestionWaitsUntilTheAnswerIsKept)
 {
     DisambiguationOptions options;
     options.parallel = 1;
     const auto backend = scripted({{1, {"chair"}}, {2, {"couch"}}});
-    Asking asking(backend, {question(1), question(2)}, options);
+    DisambiguationRun asking(backend, {question(1), question(2)}, options);
     auto outcomes = asking.next();
     while (outcomes->empty()) outcomes = asking.next();
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -166,7 +166,7 @@ TEST(Asking, TheNextQuestionWaitsUntilTheAnswerIsKept)
     EXPECT_EQ(backend->asked(), 2U);
 }
 
-TEST(Asking, OutcomesDoNotDependOnTheNumberOfThreads)
+TEST(DisambiguationRun, OutcomesDoNotDependOnTheNumberOfThreads)
 {
     std::map<instance_id_t, std::vector<std::string>> script;
     std::vector<DisambiguationQuestion> questions;
@@ -177,7 +177,7 @@ TEST(Asking, OutcomesDoNotDependOnTheNumberOfThreads)
     for (const uint32_t threads : {1U, 2U, 16U}) {
         DisambiguationOptions options;
         options.parallel = threads;
-        Asking asking(scripted(script), questions, options);
+        DisambiguationRun asking(scripted(script), questions, options);
         const auto outcomes = askAll(asking);
         ASSERT_EQ(outcomes.size(), 40U);
         for (const auto& [id, o] : outcomes) {
@@ -191,12 +191,12 @@ TEST(Asking, OutcomesDoNotDependOnTheNumberOfThreads)
     }
 }
 
-TEST(Asking, AFatalFailureEndsItWithWhatWasAnswered)
+TEST(DisambiguationRun, AFatalFailureEndsItWithWhatWasAnswered)
 {
     DisambiguationOptions options;
     options.parallel = 1;
     const auto backend = scripted({{1, {"chair"}}, {2, {"fatal"}}, {3, {"chair"}}});
-    Asking asking(backend, {question(1), question(2), question(3)}, options);
+    DisambiguationRun asking(backend, {question(1), question(2), question(3)}, options);
     const auto outcomes = askAll(asking);
     EXPECT_EQ(outcomes.size(), 2U);
     EXPECT_TRUE(outcomes.at(1).decision);
@@ -205,8 +205,8 @@ TEST(Asking, AFatalFailureEndsItWithWhatWasAnswered)
     EXPECT_THROW(asking.rethrow(), DisambiguationError);
 }
 
-TEST(Asking, NothingToAskIsSoonDone)
+TEST(DisambiguationRun, NothingToAskIsSoonDone)
 {
-    Asking asking(scripted({}), {}, {});
+    DisambiguationRun asking(scripted({}), {}, {});
     EXPECT_FALSE(asking.next());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RayBundle.h"
+#include "RayPacket.h"
 
 #include "base/vectorized.h"
 
@@ -19,7 +19,7 @@ bool isBefore(uint64_t a, uint64_t b)
 }
 }  // namespace
 
-void RayBundle::set(size_t number, const GridRay& ray, uint64_t key)
+void RayPacket::set(size_t number, const GridRay& ray, uint64_t key)
 {
     for (size_t a = 0; a < 3; ++a) {
         m_next[a][number] = static_cast<uint64_t>(ray.next[a]);
@@ -29,7 +29,7 @@ void RayBundle::set(size_t number, const GridRay& ray, uint64_t key)
     m_key[number] = key;
 }
 
-VOXELAND_WITH_AVX2 void RayBundle::walk(size_t steps, uint64_t* __restrict keys)
+VOXELAND_WITH_AVX2 void RayPacket::walk(size_t steps, uint64_t* __restrict keys)
 {
     auto& [nextX, nextY, nextZ] = m_next;
     for (size_t s = 0; s < steps; ++s, keys += RAYS)

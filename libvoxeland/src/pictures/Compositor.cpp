@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SightPainting.h"
+#include "Compositor.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -38,7 +38,7 @@ double bestAzimuth(const VoxelScene& scene, cv::Size image)
     return best;
 }
 
-cv::Mat3b paint(const Sight& sight, const std::vector<Color>& colors)
+cv::Mat3b composite(const Sight& sight, const std::vector<Color>& colors)
 {
     cv::Mat3b picture(sight.objects.voxel().size(), cv::Vec3b(255, 255, 255));
     for (int row = 0; row < picture.rows; ++row)

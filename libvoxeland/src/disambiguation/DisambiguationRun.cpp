@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/disambiguation/Asking.h"
+#include "voxeland/disambiguation/DisambiguationRun.h"
 
 #include "Prompt.h"
 #include "Questions.h"
@@ -49,8 +49,9 @@ QuestionOutcome askUntilUsable(const CDisambiguator& backend, DisambiguationQues
     return outcome;
 }
 
-Asking::Asking(std::shared_ptr<const CDisambiguator> backend,
-               std::vector<DisambiguationQuestion> questions, const DisambiguationOptions& options)
+DisambiguationRun::DisambiguationRun(std::shared_ptr<const CDisambiguator> backend,
+                                     std::vector<DisambiguationQuestion> questions,
+                                     const DisambiguationOptions& options)
     : m_backend(std::move(backend)), m_questions(std::move(questions)), m_options(options)
 {
     try {
@@ -61,7 +62,7 @@ Asking::Asking(std::shared_ptr<const CDisambiguator> backend,
     }
 }
 
-void Asking::start(size_t threads)
+void DisambiguationRun::start(size_t threads)
 {
     m_workers.reserve(threads);
     const std::lock_guard<std::mutex> lock(m_mutex);  // they begin when all are counted
@@ -72,12 +73,12 @@ void Asking::start(size_t threads)
     }
 }
 
-Asking::~Asking()
+DisambiguationRun::~DisambiguationRun()
 {
     stop();
 }
 
-void Asking::stop()
+void DisambiguationRun::stop()
 {
     {
         const std::lock_guard<std::mutex> lock(m_mutex);
@@ -87,7 +88,8 @@ void Asking::stop()
     for (std::thread& worker : m_workers) worker.join();
 }
 
-QuestionOutcome Asking::ask(const DisambiguationQuestion& question, std::exception_ptr& fatal) const
+QuestionOutcome DisambiguationRun::ask(const DisambiguationQuestion& question,
+                                       std::exception_ptr& fatal) const
 {
     QuestionOutcome outcome;
     outcome.instance = question.instance;
@@ -104,7 +106,7 @@ QuestionOutcome Asking::ask(const DisambiguationQuestion& question, std::excepti
     return outcome;
 }
 
-void Asking::work()
+void DisambiguationRun::work()
 {
     for (;;) {
         size_t number = 0;
@@ -137,7 +139,7 @@ void Asking::work()
     }
 }
 
-std::optional<std::vector<QuestionOutcome>> Asking::next()
+std::optional<std::vector<QuestionOutcome>> DisambiguationRun::next()
 {
     std::unique_lock<std::mutex> lock(m_mutex);
     m_kept = m_taken;
@@ -149,7 +151,7 @@ std::optional<std::vector<QuestionOutcome>> Asking::next()
     return std::exchange(m_outcomes, {});
 }
 
-void Asking::rethrow() const
+void DisambiguationRun::rethrow() const
 {
     const std::lock_guard<std::mutex> lock(m_mutex);
     if (m_error) std::rethrow_exception(m_error);

@@ -12,18 +12,18 @@ namespace voxeland
 /** A map's frame turned about SemanticVoxelMap::origin() until z is up: there, heights are z and
  * floors are level. Its x axis is the map's as far as that is level; where up is +z it is the map's
  * frame. */
-class LevelFrame
+class GravityAlignedFrame
 {
  public:
     /** The map's own frame: up is +z. */
-    LevelFrame() = default;
+    GravityAlignedFrame() = default;
     /** \param up in the map's frame, length > 0 */
-    explicit LevelFrame(const mrpt::math::TVector3D& up);
+    explicit GravityAlignedFrame(const mrpt::math::TVector3D& up);
 
     /** The frame's axes x, y, z in the map's frame: unit vectors. The last one is up. */
     [[nodiscard]] const std::array<mrpt::math::TVector3D, 3>& axes() const { return m_axes; }
-    /** Another level frame, turned about up. \param yaw from this x axis to its [rad] */
-    [[nodiscard]] LevelFrame turned(double yaw) const;
+    /** Another gravity-aligned frame, turned about up. \param yaw from this x axis to its [rad] */
+    [[nodiscard]] GravityAlignedFrame turned(double yaw) const;
     [[nodiscard]] mrpt::math::TPoint3D toLevel(const mrpt::math::TPoint3D& inMap) const;
     [[nodiscard]] mrpt::math::TPoint3D toMap(const mrpt::math::TPoint3D& inLevel) const;
 
@@ -40,8 +40,8 @@ struct HeightRange
     [[nodiscard]] bool contains(double height) const { return height >= low && height <= high; }
 };
 
-/** Height of the floor in a level frame [m]: the top of the voxels above which 99 % of the occupied
- *  ones lie, as some noise may be found below the floor. 0 in an empty map. Where no floor was
- *  seen, it is the lowest that was. */
-double floorHeight(const SemanticVoxelMap& map, const LevelFrame& frame);
+/** Height of the floor in a gravity-aligned frame [m]: the top of the voxels above which 99 % of
+ * the occupied ones lie, as some noise may be found below the floor. 0 in an empty map. Where no
+ * floor was seen, it is the lowest that was. */
+double floorHeight(const SemanticVoxelMap& map, const GravityAlignedFrame& frame);
 }  // namespace voxeland

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/TinyMap.h"
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <gtest/gtest.h>
 
@@ -15,30 +15,30 @@ void expectNear(const TPoint3D& actual, const TPoint3D& expected)
 }
 }  // namespace
 
-TEST(LevelFrame, isTheMapsWhereUpIsZ)
+TEST(GravityAlignedFrame, isTheMapsWhereUpIsZ)
 {
-    for (const LevelFrame& frame : {LevelFrame(), LevelFrame({0, 0, 3})})
+    for (const GravityAlignedFrame& frame : {GravityAlignedFrame(), GravityAlignedFrame({0, 0, 3})})
         expectNear(frame.toLevel({1, 2, 3}), {1, 2, 3});
 }
 
 /** A camera's axes: x right, y down, z ahead. Level: x right, y ahead, z up. */
-TEST(LevelFrame, ofOpticalAxes)
+TEST(GravityAlignedFrame, ofOpticalAxes)
 {
-    const LevelFrame frame({0, -2, 0});
+    const GravityAlignedFrame frame({0, -2, 0});
     expectNear(frame.toLevel({1, 2, 3}), {1, 3, -2});
     expectNear(frame.toMap({1, 3, -2}), {1, 2, 3});
 }
 
-TEST(LevelFrame, whereUpIsX)
+TEST(GravityAlignedFrame, whereUpIsX)
 {
-    const LevelFrame frame({1, 0, 0});
+    const GravityAlignedFrame frame({1, 0, 0});
     EXPECT_NEAR(frame.toLevel({5, 0, 0}).z, 5, 1e-12);
     expectNear(frame.toMap(frame.toLevel({1, 2, 3})), {1, 2, 3});
 }
 
-TEST(LevelFrame, turnsAboutUp)
+TEST(GravityAlignedFrame, turnsAboutUp)
 {
-    const LevelFrame turned = LevelFrame({0, -1, 0}).turned(M_PI / 2);
+    const GravityAlignedFrame turned = GravityAlignedFrame({0, -1, 0}).turned(M_PI / 2);
     expectNear(turned.axes()[0], {0, 0, 1});
     expectNear(turned.axes()[2], {0, -1, 0});
 }
@@ -51,6 +51,6 @@ TEST(FloorHeight, isTheTopOfTheFloor)
         for (int z = 0; z < 20; ++z) test::addVoxel(map, {20, y, z}, {{UNKNOWN_INSTANCE, 1}});
     for (int x = 0; x < 20; ++x) test::addVoxel(map, {x, 0, 0}, {{UNKNOWN_INSTANCE, 1}});
     for (int y = 0; y < 5; ++y) test::addVoxel(map, {30, y, 0}, {{UNKNOWN_INSTANCE, 1}});
-    EXPECT_NEAR(floorHeight(map, LevelFrame({-1, 0, 0})), -2.0, 1e-9);
-    EXPECT_EQ(floorHeight(SemanticVoxelMap(), LevelFrame()), 0);
+    EXPECT_NEAR(floorHeight(map, GravityAlignedFrame({-1, 0, 0})), -2.0, 1e-9);
+    EXPECT_EQ(floorHeight(SemanticVoxelMap(), GravityAlignedFrame()), 0);
 }

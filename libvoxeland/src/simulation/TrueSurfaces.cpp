@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GroundTruth.h"
+#include "TrueSurfaces.h"
 
 #include "voxeland/base/numbers.h"
 #include "voxeland/files/AtomicFile.h"
@@ -36,8 +36,8 @@ std::vector<std::string> categoryNames(const Scene& scene)
     return result;
 }
 
-GroundTruth::GroundTruth(const Scene& scene, const PinholeCamera& camera, float spacing,
-                         float maxRange)
+TrueSurfaces::TrueSurfaces(const Scene& scene, const RenderCamera& camera, float spacing,
+                           float maxRange)
     : m_scene(scene), m_camera(camera), m_maxRange(maxRange)
 {
     for (size_t id = 0; id <= scene.objects().size(); ++id)
@@ -45,7 +45,7 @@ GroundTruth::GroundTruth(const Scene& scene, const PinholeCamera& camera, float 
             m_points.push_back({point, static_cast<ObjectId>(id), false});
 }
 
-void GroundTruth::see(const RenderedView& view, const mrpt::math::TPose3D& pose)
+void TrueSurfaces::see(const RenderedView& view, const mrpt::math::TPose3D& pose)
 {
     const CameraFrame frame(pose);
     for (auto& point : m_points) {
@@ -62,7 +62,7 @@ void GroundTruth::see(const RenderedView& view, const mrpt::math::TPose3D& pose)
     }
 }
 
-void GroundTruth::save(const std::string& folder) const
+void TrueSurfaces::save(const std::string& folder) const
 {
     const auto names = categoryNames(m_scene);
     std::vector<int> categories{0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxeland/level/LevelFrame.h"
+#include "voxeland/level/GravityAlignedFrame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ TVector3D cross(const TVector3D& a, const TVector3D& b)
 }
 }  // namespace
 
-LevelFrame::LevelFrame(const TVector3D& up)
+GravityAlignedFrame::GravityAlignedFrame(const TVector3D& up)
 {
     const TVector3D z = up * (1 / up.norm());
     const TVector3D ahead = std::abs(z.x) < 0.9 ? TVector3D(1, 0, 0) : TVector3D(0, 1, 0);
@@ -31,26 +31,26 @@ LevelFrame::LevelFrame(const TVector3D& up)
     m_axes = {x, cross(z, x), z};
 }
 
-LevelFrame LevelFrame::turned(double yaw) const
+GravityAlignedFrame GravityAlignedFrame::turned(double yaw) const
 {
     const auto& [x, y, z] = m_axes;
     const double c = std::cos(yaw), s = std::sin(yaw);
-    LevelFrame frame;
+    GravityAlignedFrame frame;
     frame.m_axes = {x * c + y * s, y * c - x * s, z};
     return frame;
 }
 
-TPoint3D LevelFrame::toLevel(const TPoint3D& inMap) const
+TPoint3D GravityAlignedFrame::toLevel(const TPoint3D& inMap) const
 {
     return {dot(m_axes[0], inMap), dot(m_axes[1], inMap), dot(m_axes[2], inMap)};
 }
 
-TPoint3D LevelFrame::toMap(const TPoint3D& inLevel) const
+TPoint3D GravityAlignedFrame::toMap(const TPoint3D& inLevel) const
 {
     return m_axes[0] * inLevel.x + m_axes[1] * inLevel.y + m_axes[2] * inLevel.z;
 }
 
-double floorHeight(const SemanticVoxelMap& map, const LevelFrame& frame)
+double floorHeight(const SemanticVoxelMap& map, const GravityAlignedFrame& frame)
 {
     constexpr double BELOW_FLOOR = 0.01;
     std::vector<double> heights;

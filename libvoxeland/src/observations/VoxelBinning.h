@@ -7,7 +7,7 @@
 namespace voxeland
 {
 /** A scan's depth pixels by voxel. */
-struct GroupedPixels
+struct BinnedPixels
 {
     std::vector<HitVoxel> hits;    //!< in order of first pixel
     std::vector<HitVoxel> beyond;  //!< see VoxelizedFrame::beyond()
@@ -18,7 +18,7 @@ struct GroupedPixels
 
 /** Unprojects a scan's depth pixels and groups them by voxel.
  *  \param sensorPose of the depth camera in the map's frame */
-GroupedPixels groupPixels(const mrpt::obs::CObservation3DRangeScan& scan,
-                          const mrpt::poses::CPose3D& sensorPose, double resolution,
-                          const DepthLimits& limits);
+BinnedPixels binPixels(const mrpt::obs::CObservation3DRangeScan& scan,
+                       const mrpt::poses::CPose3D& sensorPose, double resolution,
+                       const DepthLimits& limits);
 }  // namespace voxeland
