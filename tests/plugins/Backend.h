@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "plugins/PluginLoader.h"
+#include "voxeland/base/trimmed.h"
 #include "voxeland/plugins/CDisambiguator.h"
 #include "voxeland/plugins/Ini.h"
 
@@ -8,10 +9,25 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <memory>
+#include <sstream>
 #include <string>
 
 namespace voxeland::test
 {
+/** An INI's section [disambiguation] of lines "key = value"; a later one replaces an earlier one.
+ */
+inline Ini disambiguationIni(const std::string& keys)
+{
+    Ini ini = Ini::fromText("[disambiguation]\n", "a text");
+    std::istringstream lines(keys);
+    for (std::string line; std::getline(lines, line);) {
+        const size_t equals = line.find('=');
+        ini.set("disambiguation." + trimmed(line.substr(0, equals)) + "=" +
+                trimmed(line.substr(equals + 1)));
+    }
+    return ini;
+}
+
 /** A disambiguation back-end loaded as users load it, with these INI lines as its keys. */
 inline std::shared_ptr<CDisambiguator> backend(const std::string& library,
                                                const std::string& className,
@@ -22,7 +38,7 @@ inline std::shared_ptr<CDisambiguator> backend(const std::string& library,
     OptionList options;
     object->declareOptions(options);
     std::vector<std::string> problems;
-    options.load(Ini::fromText("[disambiguation]\n" + keys, "a text"), "disambiguation", problems);
+    options.load(disambiguationIni(keys), "disambiguation", problems);
     EXPECT_TRUE(problems.empty()) << problems.front();
     object->start();
     return object;

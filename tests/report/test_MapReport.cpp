@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/TinyMap.h"
 #include "report/MapReport.h"
 #include "support/RunProgram.h"
 #include "support/TestFiles.h"
+#include "support/TinyMap.h"
 #include "voxeland/base/errors.h"
 
 #include <gtest/gtest.h>
