@@ -13,6 +13,7 @@ namespace voxeland::test
 inline std::string bytesOf(const SemanticVoxelMap& map)
 {
     mrpt::io::CMemoryStream stream;
+    stream.setAllocBlockSize(1 << 24);  // sanitizers copy what grows by a little each time
     auto archive = mrpt::serialization::archiveFrom(stream);
     map.writeTo(archive);
     return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
