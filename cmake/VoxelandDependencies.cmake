@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Everything comes from the distribution's packages; nothing is downloaded at build time.
-foreach(module apps core math poses serialization io img obs opengl maps system tclap)
+foreach(module apps core math poses serialization io img obs opengl maps system)
   find_package(mrpt-${module} REQUIRED)
 endforeach()
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs dnn)
+find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(octomap REQUIRED)
 find_package(tinyxml2 REQUIRED)

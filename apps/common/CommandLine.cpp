@@ -2,234 +2,263 @@
 #include "common/CommandLine.h"
 
 #include "common/AsTyped.h"
-#include "common/Interruption.h"
-#include "voxeland/base/RefusedMemory.h"
+#include "common/say.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/joined.h"
-#include "voxeland/base/printable.h"
-#include "voxeland/files/AtomicFile.h"
+#include "voxeland/base/nearestWord.h"
 
-#include <mrpt/core/exceptions.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <filesystem>
 #include <iostream>
-#include <list>
-#include <new>
-#include <set>
-#include <stdexcept>
-#include <unistd.h>
+#include <optional>
+#include <sstream>
 
 using mrpt::system::VerbosityLevel;
-
-namespace fs = std::filesystem;
 
 namespace voxeland::apps
 {
 namespace
 {
 constexpr const char* LEVELS = "DEBUG, INFO, WARN, ERROR";
+constexpr auto ONCE = CLI::MultiOptionPolicy::Throw, REPEATED = CLI::MultiOptionPolicy::TakeAll;
 
-/** The arguments that must be given and are not. */
-std::string missing(TCLAP::CmdLineInterface& c)
+ConfigurationError wrongUsage(const std::string& what)
 {
+    return ConfigurationError(what + " (see --help)");
+}
+
+/** Whether a word is an option's, unless it is a value or behind `--`. */
+bool isName(const std::string& word)
+{
+    return word.size() > 1 && word[0] == '-' && word != "--";
+}
+
+/** The name in `--name=value`; short ones are followed by nothing. */
+std::string nameIn(const std::string& word)
+{
+    constexpr size_t SHORTEST = 3;  // "--n"
+    return word.compare(0, 2, "--") == 0 ? word.substr(0, word.find('=', SHORTEST)) : word;
+}
+
+bool takesValue(const CLI::Option& option)
+{
+    return option.get_items_expected_max() > 0;
+}
+
+/** The ways to give an option, as "-i <FILE>" and "--input <FILE>". */
+std::vector<std::string> usesOf(const CLI::Option& option)
+{
+    const std::string value = takesValue(option) ? "<" + option.get_type_name() + ">" : "";
+    if (option.get_positional()) return {value};
+    std::vector<std::string> uses;
+    const std::string suffix = value.empty() ? "" : " " + value;
+    for (const std::string& name : option.get_snames()) uses.push_back("-" + name + suffix);
+    for (const std::string& name : option.get_lnames()) uses.push_back("--" + name + suffix);
+    return uses;
+}
+
+/** The options that must be given and are not. */
+std::string missing(const CLI::App& app)
+{
+    std::vector<std::string> uses;
+    for (const CLI::Option* o : app.get_options())
+        if (o->get_required() && o->empty()) uses.push_back(usesOf(*o).front());
+    return joined(uses, " and ");
+}
+
+/** The name among these that was probably meant, one it begins or resembles; empty if none is. */
+std::string probablyMeant(const std::string& given, const std::vector<std::string>& names)
+{
+    constexpr size_t LEAST = 3;  // letters that resemble another word by more than chance
+    if (given.size() < LEAST) return {};
+    for (const std::string& name : names)
+        if (name.compare(0, given.size(), given) == 0) return name;
+    return nearestWord(given, names);
+}
+
+/** What to say of a word that is no option, and no value of one. */
+std::string unknown(const CLI::App& app, const std::string& word)
+{
+    const size_t begin = std::min(word.find_first_not_of('-'), word.size());
+    const std::string option = nameIn(word);
+    if (!isName(word) || app.get_option_no_throw(option) != nullptr)
+        return "'" + word + "' belongs to no option";
     std::vector<std::string> names;
-    auto arguments = c.getArgList();
-    arguments.reverse();
-    for (const TCLAP::Arg* a : arguments)
-        if (a->isRequired() && !a->isSet()) names.push_back(a->shortID());
-    return joined(names, " and ");
+    for (const CLI::Option* o : app.get_options())
+        for (const std::string& name : o->get_lnames()) names.push_back(name);
+    const std::string bare = option.substr(begin);
+    const std::string meant = probablyMeant(bare.substr(0, bare.find('=')), names);
+    return "there is no option " + option +
+           (meant.empty() ? "" : ", did you mean --" + meant + "?");
 }
 
-/** What is wrong with a command line, with the option's name. */
-std::string problem(TCLAP::CmdLineInterface& c, const TCLAP::ArgException& e)
+/** A paragraph in lines of at most 96 characters, indented. */
+std::string filled(const std::string& text)
 {
-    static const std::string TITLE = "Argument: ";
-    std::string option = e.argId();
-    const std::string error = e.error();
-    if (option.compare(0, TITLE.size(), TITLE) == 0) option.erase(0, TITLE.size());
-    const auto isBracket = [](char c) { return c == '(' || c == ')'; };
-    option.erase(std::remove_if(option.begin(), option.end(), isBracket), option.end());
-    const auto begins = [&](const char* with) { return error.rfind(with, 0) == 0; };
-    if (begins("One or more required") || begins("Required argument")) return "give " + missing(c);
-    if (begins("Missing a value")) return option + " needs a value";
-    if (begins("Couldn't find match")) return "there is no option " + option;
-    if (begins("Argument already set")) return option + " is given twice";
-    if (begins("Couldn't read argument value")) {
-        const size_t quote = error.find(" '");
-        return option + " takes a number, not" +
-               (quote == std::string::npos ? " such text" : error.substr(quote));
-    }
-    return option + ": " + error;
-}
-
-/** Prints the description untouched (TCLAP would refill its lines) and wrong usage in one sentence.
- */
-class HelpOutput : public TCLAP::StdOutput
-{
- public:
-    void usage(TCLAP::CmdLineInterface& c) override
-    {
-        std::cout << c.getMessage() << "\n\nOptions:\n";
-        auto arguments = c.getArgList();
-        arguments.reverse();
-        for (const TCLAP::Arg* a : arguments) {
-            if (a->longID() == "--ignore_rest" || a->getName() == "ignore_rest") continue;
-            std::cout << "  " << a->longID() << "\n";
-            spacePrint(std::cout, a->getDescription(), 96, 6, 0);
+    constexpr size_t WIDTH = 96;
+    const std::string INDENT(6, ' ');
+    std::string lines, line;
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ' ');) {
+        if (!line.empty() && line.size() + 1 + word.size() > WIDTH) {
+            lines += line + "\n";
+            line.clear();
         }
+        line += (line.empty() ? INDENT : " ") + word;
     }
-    void version(TCLAP::CmdLineInterface& c) override
-    {
-        std::cout << c.getProgramName() << " " << c.getVersion() << "\n";
-    }
-    void failure(TCLAP::CmdLineInterface& c, TCLAP::ArgException& e) override
-    {
-        throw ConfigurationError(problem(c, e) + " (see --help)");
-    }
-};
+    return lines + line + "\n";
+}
 
-HelpOutput helpOutput;
-
-/** The words of a command line, with `--name=value` as the `--name value` that TCLAP takes;
- * what follows `--` is left as it is. */
-std::vector<std::string> wordsOf(int argc, char** argv, const std::list<TCLAP::Arg*>& options)
+std::string helpOn(const CLI::Option& option)
 {
-    std::vector<std::string> words;
-    bool verbatim = false;
-    for (int i = 0; i < argc; ++i) {
-        const std::string word = argv[i], name = word.substr(0, word.find('='));
-        verbatim = verbatim || word == "--";
-        const bool hasValue =
-            !verbatim && name != word &&
-            std::any_of(options.begin(), options.end(), [&](const TCLAP::Arg* option) {
-                return option->isValueRequired() && "--" + option->getName() == name;
-            });
-        words.push_back(hasValue ? name : word);
-        if (hasValue) words.push_back(word.substr(name.size() + 1));
-    }
+    const bool isRepeated = takesValue(option) && option.get_multi_option_policy() == REPEATED;
+    return "  " + joined(usesOf(option), ",  ") +
+           (isRepeated ? "  (accepted multiple times)\n" : "\n") +
+           filled((option.get_required() ? "(required)  " : "") + option.get_description());
+}
+
+std::string helpOn(const CLI::App& app)
+{
+    std::string withPlace, named;
+    for (const CLI::Option* o : app.get_options())
+        (o->get_positional() ? withPlace : named) += helpOn(*o);
+    return withPlace + named;
+}
+
+/** Its options are shown in the order they are added in. */
+std::unique_ptr<CLI::App> appWithHelp()
+{
+    auto app = std::make_unique<CLI::App>();
+    app->set_help_flag("-h,--help", "Displays usage information and exits.");
+    app->set_version_flag("--version", VOXELAND_VERSION, "Displays version information and exits.");
+    return app;
+}
+
+/** The words that belong to no option: those of a command to run, if one is wanted. */
+std::vector<std::string> leftOver(const CLI::App& app)
+{
+    std::vector<std::string> words = app.remaining();
+    if (!words.empty() && words.front() == "--") words.erase(words.begin());
     return words;
 }
 
-bool isCount(const TCLAP::Arg* option)
+std::optional<std::string> strayWord(const CLI::App& app)
 {
-    return dynamic_cast<const TCLAP::ValueArg<uint32_t>*>(option) != nullptr ||
-           dynamic_cast<const TCLAP::ValueArg<uint64_t>*>(option) != nullptr;
+    const auto words = leftOver(app);
+    const bool isCommand = app.get_prefix_command() && !words.empty() &&
+                           (!isName(words.front()) || app.remaining().front() == "--");
+    return words.empty() || isCommand ? std::nullopt : std::optional(words.front());
 }
 
-/** TCLAP reads -1 as a large number where a number without a sign is wanted. */
-void refuseNegativeCounts(const std::vector<std::string>& words,
-                          const std::list<TCLAP::Arg*>& options)
+/** What is wrong with a command line that CLI11 refuses. */
+std::string problem(const CLI::App& app, const CLI::ParseError& e,
+                    const std::vector<std::string>& words)
 {
-    for (size_t i = 1; i < words.size(); ++i)
-        for (const TCLAP::Arg* option : options)
-            if (isCount(option) && "--" + option->getName() == words[i - 1] && words[i][0] == '-')
-                throw ConfigurationError(words[i - 1] + " takes a number from 0, not " + words[i]);
-}
-
-/** The one way to stderr. */
-void say(const std::string& text, size_t maxLength)
-{
-    std::cerr << printableSentence(text, maxLength) << "\n";
-}
-
-int fail(const std::string& program, const std::string& text, int exitCode)
-{
-    constexpr size_t LONGEST = 299;
-    say(program + ": " + text, LONGEST);
-    return exitCode;
-}
-
-constexpr auto OUT_OF_MEMORY = "out of memory: use a coarser resolution or a smaller input";
-constexpr int UNREADABLE = 3;  // exit code
-
-/** In a function that must not throw, in our code or another library's, the lack of memory ends the
- * program. Says so, without memory. */
-[[noreturn]] void endWithoutMemory()
-{
-    if (!RefusedMemory::isNoted()) std::abort();
-    const char* const PARTS[] = {program_invocation_short_name, ": ", OUT_OF_MEMORY, "\n"};
-    for (const char* text : PARTS)
-        static_cast<void>(!write(STDERR_FILENO, text, std::strlen(text)));
-    _exit(UNREADABLE);
-}
-
-int runWatched(const char* program, const std::function<int()>& body)
-{
-    try {
-        const int exitCode = body();
-        RefusedMemory::check();
-        if (!std::cout.flush())
-            throw OutputError("cannot write to standard output: free some space");
-        return exitCode;
-    } catch (const Interrupted& e) {
-        fail(program, e.what(), INTERRUPTED);
-        if (!e.command.empty()) std::cerr << e.command << "\n";
-        return INTERRUPTED;
-    } catch (...) {
-        // Whatever the lack of memory was taken for.
-        RefusedMemory::check();
-        throw;
-    }
-}
-
-/** A message without the place in MRPT's sources that begins its own: "file.cpp:57: [function] ".
- */
-std::string withoutPlace(const std::string& text)
-{
-    const size_t function = text.find(": ["), end = text.find("] ");
-    if (function == std::string::npos || end == std::string::npos || end < function) return text;
-    const fs::path place = text.substr(0, text.rfind(':', function - 1));
-    const bool isSource = place.extension() == ".cpp" || place.extension() == ".h";
-    return isSource && place.string().find(' ') == std::string::npos ? text.substr(end + 2) : text;
-}
-
-/** Whether a message is one of a library for programmers: nobody has said what it means. */
-bool isJargon(const std::exception& e, const std::string& message)
-{
-    const auto begins = [&](const std::string& start) {
-        return message.compare(0, start.size(), start) == 0;
-    };
-    return begins("OpenCV(") || begins("[json.exception") ||
-           message.find(' ') == std::string::npos ||
-           dynamic_cast<const std::length_error*>(&e) != nullptr ||
-           dynamic_cast<const std::out_of_range*>(&e) != nullptr;
+    if (const auto stray = strayWord(app)) return unknown(app, *stray);
+    for (const CLI::Option* o : app.get_options())
+        if (o->get_multi_option_policy() == ONCE && o->count() > 1)
+            return o->get_name() + " is given twice";
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) != nullptr)
+        return words.back() + " needs a value";
+    return "give " + missing(app);
 }
 }  // namespace
 
-CommandLine::CommandLine(const std::string& description)
-    : m_parser(description, ' ', VOXELAND_VERSION),
-      m_verbosity("v", "verbosity",
-                  "Least severe messages to show: INFO (notes and progress), WARN or ERROR; DEBUG "
-                  "is for MRPT's programs in voxeland-run",
-                  false, "INFO", "LEVEL"),
-      m_quiet("", "quiet", "No progress and no messages but warnings and errors: as -v WARN")
+CommandLine::CommandLine(std::string description, Rest rest)
+    : m_app(appWithHelp()),
+      m_description(std::move(description)),
+      m_quiet(*this, "--quiet", "No progress and no messages but warnings and errors: as -v WARN"),
+      m_verbosity(
+          *this, "-v,--verbosity", "LEVEL",
+          "Least severe messages to show: INFO (notes and progress), WARN or ERROR; DEBUG is "
+          "for MRPT's programs in voxeland-run",
+          "INFO")
 {
-    m_parser.setOutput(&helpOutput);
-    m_parser.add(m_quiet);
-    m_parser.add(m_verbosity);
+    m_app->prefix_command(rest == Rest::command);
 }
 
-bool CommandLine::parse(int argc, char** argv)
+CommandLine::~CommandLine() = default;
+
+void CommandLine::addSwitch(Argument& argument, const std::string& names,
+                            const std::string& description)
 {
-    std::vector<const char*> words;
-    m_words = wordsOf(argc, argv, m_parser.getArgList());
-    refuseNegativeCounts(m_words, m_parser.getArgList());
-    for (const std::string& text : m_words) words.push_back(text.c_str());
-    if (!m_parser.parse(static_cast<int>(words.size()), words.data())) return false;
+    m_app
+        ->add_flag_callback(
+            names, [&argument] { argument.m_isSet = true; }, description)
+        ->multi_option_policy(ONCE);
+}
+
+void CommandLine::addOption(Argument& argument, const std::string& names, const std::string& value,
+                            const std::string& description, Presence presence,
+                            Occurrence occurrence)
+{
+    const auto take = [&argument](const std::vector<std::string>& values) {
+        argument.take(values);
+        argument.m_isSet = true;
+        return true;
+    };
+    m_app->add_option(names, take, description)
+        ->type_name(value)
+        ->required(presence == Presence::required)
+        ->multi_option_policy(occurrence == Occurrence::once ? ONCE : REPEATED);
+}
+
+/** Puts values apart from names: CLI11 would take `--name=` for a name whose value follows,
+ * `-ofile` for `-o file` and `--switch=no` for the switch. */
+std::vector<std::string> CommandLine::valuesApart(const std::vector<std::string>& words) const
+{
+    std::vector<std::string> apart;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const std::string &word = words[i], name = nameIn(word);
+        if (word == "--" || (m_app->get_prefix_command() && !isName(word))) {
+            apart.insert(apart.end(), words.begin() + static_cast<long>(i), words.end());
+            break;
+        }
+        const CLI::Option* option = isName(word) ? m_app->get_option_no_throw(name) : nullptr;
+        if (option == nullptr) {
+            const bool isRunTogether = isName(word) && word[1] != '-' && word.size() > 2;
+            if (isRunTogether) throw wrongUsage(unknown(*m_app, word));
+            apart.push_back(word);
+            continue;
+        }
+        apart.push_back(name);
+        if (name != word && !takesValue(*option)) throw wrongUsage(name + " takes no value");
+        if (name != word)
+            apart.push_back(word.substr(name.size() + 1));
+        else if (takesValue(*option) && i + 1 < words.size())
+            apart.push_back(words[++i]);
+    }
+    return apart;
+}
+
+bool CommandLine::parse(int argc, const char* const* argv)
+{
+    m_program = argv[0];
+    m_words = valuesApart({argv + 1, argv + argc});
+    try {
+        m_app->parse(std::vector<std::string>(m_words.rbegin(), m_words.rend()));
+    } catch (const CLI::CallForHelp&) {
+        std::cout << m_description << "\n\nOptions:\n" << helpOn(*m_app);
+        return false;
+    } catch (const CLI::CallForVersion&) {
+        std::cout << m_program << " " << VOXELAND_VERSION << "\n";
+        return false;
+    } catch (const CLI::ParseError& e) {
+        throw wrongUsage(problem(*m_app, e, m_words));
+    }
+    if (const auto stray = strayWord(*m_app)) throw wrongUsage(unknown(*m_app, *stray));
+    m_wordsOfCommand = leftOver(*m_app).size();
     static_cast<void>(verbosity());  // complain about it now
     return true;
 }
 
 std::string CommandLine::commandWith(const std::map<std::string, std::string>& values) const
 {
-    std::vector<std::string> command;
+    std::vector<std::string> command = {m_program};
     for (size_t i = 0; i < m_words.size(); ++i)
-        if (i > 0 && values.count(m_words[i]) > 0)
+        if (values.count(m_words[i]) > 0)
             ++i;  // its value, too
         else
             command.push_back(m_words[i]);
@@ -243,7 +272,7 @@ std::string CommandLine::commandWith(const std::map<std::string, std::string>& v
 VerbosityLevel CommandLine::verbosity() const
 {
     if (m_quiet.isSet()) return mrpt::system::LVL_WARN;
-    std::string name = const_cast<TCLAP::ValueArg<std::string>&>(m_verbosity).getValue();
+    std::string name = m_verbosity.value();
     std::transform(name.begin(), name.end(), name.begin(), ::toupper);
     for (const auto& [level, text] :
          {std::pair(mrpt::system::LVL_DEBUG, "DEBUG"), std::pair(mrpt::system::LVL_INFO, "INFO"),
@@ -257,62 +286,9 @@ void CommandLine::note(const std::string& text) const
     if (!quiet()) say(text, LONGEST_NOTE);
 }
 
-void CommandLine::warn(const std::string& text)
+void CommandLine::warn(const std::string& text) const
 {
     if (verbosity() > mrpt::system::LVL_WARN) return;
-    const std::filesystem::path program = m_parser.getProgramName();
-    say(program.filename().string() + ": warning: " + text, LONGEST_NOTE);
-}
-
-std::string sentence(const std::exception& e)
-{
-    if (const auto* files = dynamic_cast<const fs::filesystem_error*>(&e))
-        return "cannot use '" + files->path1().string() + "': " + files->code().message() +
-               ": correct the path or its permissions";
-    const auto* mrpts = dynamic_cast<const mrpt::ExceptionWithCallBackBase*>(&e);
-    const std::string text = mrpts != nullptr ? mrpts->originalWhat : e.what();
-    const std::string line = withoutPlace(text.substr(0, text.find('\n')));
-    return isJargon(e, line) ? "an input is damaged or not of the kind that is expected (" + line +
-                                   "): leave out one after the other to find it"
-                             : line;
-}
-
-void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs)
-{
-    const auto place = [](const std::string& file) {
-        return fs::weakly_canonical(fs::absolute(file));
-    };
-    std::set<fs::path> taken;
-    for (const std::string& input : inputs)
-        if (!input.empty()) taken.insert(place(input));
-    for (const std::string& output : outputs)
-        if (!output.empty() && !fs::is_character_file(output) &&
-            !taken.insert(place(output)).second)
-            throw ConfigurationError(
-                "output '" + output +
-                "' would replace an input or another output: name another file");
-    for (const std::string& output : outputs)
-        if (!output.empty()) checkWritable(output);
-}
-
-int runProgram(const char* program, const std::function<int()>& body)
-{
-    RefusedMemory::watch();
-    std::set_terminate(&endWithoutMemory);
-    try {
-        return runWatched(program, body);
-    } catch (const ConfigurationError& e) {
-        return fail(program, sentence(e), 1);
-    } catch (const PluginError& e) {
-        return fail(program, sentence(e), 2);
-    } catch (const NothingToMapError& e) {
-        return fail(program, sentence(e), 4);
-    } catch (const OutputError& e) {
-        return fail(program, sentence(e), 5);
-    } catch (const std::bad_alloc&) {
-        return fail(program, OUT_OF_MEMORY, UNREADABLE);
-    } catch (const std::exception& e) {
-        return fail(program, sentence(e), UNREADABLE);
-    }
+    say(std::filesystem::path(m_program).filename().string() + ": warning: " + text, LONGEST_NOTE);
 }
 }  // namespace voxeland::apps

@@ -1,35 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <mrpt/3rdparty/tclap/CmdLine.h>
+#include "common/Argument.h"
+
 #include <mrpt/system/COutputLogger.h>
 
-#include <exception>
-#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
+
+// CLI11's header is half of what a program takes to compile: CommandLine.cpp alone includes it.
+namespace CLI
+{
+class App;
+class Option;
+}  // namespace CLI
 
 namespace voxeland::apps
 {
 /** Characters of a note or warning; some quote a sentence and say what came of it. */
 constexpr size_t LONGEST_NOTE = 600;
 
+enum class Occurrence
+{
+    once,
+    repeated
+};
+
 /** What every program of the project has in common on its command line: `--help` that shows
- * examples,
- *  `--version`, `-v/--verbosity` and `--quiet`. Add the program's own arguments to parser(). */
+ * examples, `--version`, `-v/--verbosity` and `--quiet`. Options are given as `--name value`,
+ * `--name=value` or `-n value`; a value may be empty or begin with '-'; behind `--`
+ * nothing is an option. A program declares its own as members of a class derived from this. */
 class CommandLine
 {
  public:
-    /** \param description what the program does, and examples; printed as it is by --help */
-    explicit CommandLine(const std::string& description);
+    enum class Rest
+    {
+        refused,
+        command
+    };
 
-    [[nodiscard]] TCLAP::CmdLine& parser() { return m_parser; }
+    /** \param description what the program does, and examples; printed as it is by --help
+     *  \param rest what words are that belong to no option: refused, or a command to run, which
+     *  begins with the first of them */
+    explicit CommandLine(std::string description, Rest rest = Rest::refused);
+    ~CommandLine();
+    CommandLine(const CommandLine&) = delete;
+    CommandLine& operator=(const CommandLine&) = delete;
+
     /** \return false if --help or --version was asked for and printed: end with exit code 0
      *  \throws ConfigurationError for wrong usage */
-    [[nodiscard]] bool parse(int argc, char** argv);
+    [[nodiscard]] bool parse(int argc, const char* const* argv);
     /** The command that was given, for a shell, with other values of some options, or with these
      * added. \param values by the options' long names, like "--from" */
     [[nodiscard]] std::string commandWith(const std::map<std::string, std::string>& values) const;
+    /** How many words at the end are the command to run, see Rest. */
+    [[nodiscard]] size_t wordsOfCommand() const { return m_wordsOfCommand; }
     /** Least severe message to show. */
     [[nodiscard]] mrpt::system::VerbosityLevel verbosity() const;
     /** Whether progress and notes are not wanted. */
@@ -37,25 +63,26 @@ class CommandLine
     /** Says something on stderr, unless quiet(). */
     void note(const std::string& text) const;
     /** Says on stderr what is probably not as the user meant it, unless errors alone are wanted. */
-    void warn(const std::string& text);
+    void warn(const std::string& text) const;
 
  private:
-    TCLAP::CmdLine m_parser;
-    TCLAP::ValueArg<std::string> m_verbosity;
-    TCLAP::SwitchArg m_quiet;
-    std::vector<std::string> m_words;  //!< as given, `--name=value` in two
+    friend class Switch;
+    friend class Text;
+    friend class Texts;
+    template <typename N>
+    friend class Number;
+
+    void addSwitch(Argument& argument, const std::string& names, const std::string& description);
+    void addOption(Argument& argument, const std::string& names, const std::string& value,
+                   const std::string& description, Presence presence, Occurrence occurrence);
+    [[nodiscard]] std::vector<std::string> valuesApart(const std::vector<std::string>& words) const;
+
+    std::unique_ptr<CLI::App> m_app;
+    std::string m_description;
+    std::string m_program;             //!< as it was called
+    std::vector<std::string> m_words;  //!< its words, values apart from names
+    size_t m_wordsOfCommand = 0;
+    Switch m_quiet;
+    Text m_verbosity;
 };
-
-/** What an exception says, in one line: MRPT wraps its messages in a title and the call stack. */
-std::string sentence(const std::exception& e);
-
-/** Makes sure before the work that no output would replace an input or another output, and that all
- * outputs may be written. Empty names are passed over.
- *  \throws ConfigurationError, or OutputError as checkWritable(), naming the file */
-void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
-
-/** Runs a program's body; an exception becomes one sentence on stderr and its exit code (see
- *  voxeland/errors.h; 3 for anything else that MRPT or a library threw while reading).
- *  \return exit code of the program */
-int runProgram(const char* program, const std::function<int()>& body);
 }  // namespace voxeland::apps

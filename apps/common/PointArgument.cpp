@@ -22,27 +22,27 @@ std::vector<double> numbersIn(const std::string& text, size_t count)
     return numbers.size() == count ? numbers : std::vector<double>();
 }
 
-mrpt::math::TPoint3D parsePoint(const std::string& option, const std::string& text)
+mrpt::math::TPoint3D parsePoint(const Text& option)
 {
-    const auto numbers = numbersIn(text, 3);
+    const auto numbers = numbersIn(option.value(), 3);
     if (numbers.empty())
-        throw ConfigurationError("--" + option + " '" + text +
+        throw ConfigurationError(option.name() + " '" + option.value() +
                                  "' is not three numbers like 1.5,-2,0.3");
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-mrpt::math::TVector3D parseDirection(const std::string& option, const std::string& text)
+mrpt::math::TVector3D parseDirection(const Text& option)
 {
-    const mrpt::math::TVector3D direction = parsePoint(option, text);
-    if (!(direction.norm() > 0)) throw ConfigurationError("--" + option + " must not be 0,0,0");
+    const mrpt::math::TVector3D direction = parsePoint(option);
+    if (!(direction.norm() > 0)) throw ConfigurationError(option.name() + " must not be 0,0,0");
     return direction;
 }
 
-HeightRange parseHeights(const std::string& option, const std::string& text)
+HeightRange parseHeights(const Text& option)
 {
-    const auto numbers = numbersIn(text, 2);
+    const auto numbers = numbersIn(option.value(), 2);
     if (numbers.empty() || numbers[0] > numbers[1])
-        throw ConfigurationError("--" + option + " '" + text +
+        throw ConfigurationError(option.name() + " '" + option.value() +
                                  "' is not two increasing numbers like 0.1,1.8");
     return {numbers[0], numbers[1]};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "common/Argument.h"
 #include "voxeland/level/GravityAlignedFrame.h"
 
 #include <mrpt/math/TPoint3D.h>
@@ -14,15 +15,13 @@ namespace voxeland::apps
 std::vector<double> numbersIn(const std::string& text, size_t count);
 
 /** Reads "x,y,z".
- *  \param option name of the command line option, for the message
  *  \throws ConfigurationError unless the text is three finite numbers */
-mrpt::math::TPoint3D parsePoint(const std::string& option, const std::string& text);
+mrpt::math::TPoint3D parsePoint(const Text& option);
 
 /** As parsePoint(), for a direction. \throws ConfigurationError for 0,0,0 too */
-mrpt::math::TVector3D parseDirection(const std::string& option, const std::string& text);
+mrpt::math::TVector3D parseDirection(const Text& option);
 
 /** Reads "low,high" [m].
- *  \param option name of the command line option, for the message
  *  \throws ConfigurationError unless the text is two finite numbers, the first not the larger */
-HeightRange parseHeights(const std::string& option, const std::string& text);
+HeightRange parseHeights(const Text& option);
 }  // namespace voxeland::apps

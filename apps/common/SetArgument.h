@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "common/Argument.h"
 #include "voxeland/plugins/Ini.h"
-
-#include <mrpt/3rdparty/tclap/CmdLine.h>
 
 #include <string>
 
 namespace voxeland::apps
 {
 /** `--set section.key=value`, any number of times: what overrules an INI. */
-class SetArgument : public TCLAP::MultiArg<std::string>
+class SetArgument : public Texts
 {
  public:
     /** \param ofWhat whose keys, for --help */
-    SetArgument(const std::string& ofWhat, TCLAP::CmdLineInterface& parser)
-        : MultiArg("", "set", "Set a key of the " + ofWhat + "; may be repeated", false,
-                   "section.key=value", parser)
+    SetArgument(CommandLine& line, const std::string& ofWhat)
+        : Texts(line, "--set", "section.key=value",
+                "Set a key of the " + ofWhat + "; may be repeated")
     {
     }
 
     /** Sets the keys given, in their order. \throws ConfigurationError as Ini::set() */
-    void applyTo(Ini& ini)
+    void applyTo(Ini& ini) const
     {
-        for (const std::string& assignment : getValue()) ini.set(assignment, "--set");
+        for (const std::string& assignment : values()) ini.set(assignment, name());
     }
 };
 }  // namespace voxeland::apps

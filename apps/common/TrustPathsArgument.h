@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <mrpt/3rdparty/tclap/CmdLine.h>
+#include "common/Argument.h"
 
 namespace voxeland::apps
 {
 /** `--trust-paths`: the user vouches for what the input names outside of its folder. */
-class TrustPathsArgument : public TCLAP::SwitchArg
+class TrustPathsArgument : public Switch
 {
  public:
-    explicit TrustPathsArgument(TCLAP::CmdLineInterface& parser)
-        : SwitchArg("", "trust-paths",
-                    "Also read images that the input names outside of its folder, wherever", parser)
+    explicit TrustPathsArgument(CommandLine& line)
+        : Switch(line, "--trust-paths",
+                 "Also read images that the input names outside of its folder, wherever")
     {
     }
 };

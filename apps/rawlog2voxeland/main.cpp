@@ -6,6 +6,8 @@
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "common/TrustPathsArgument.h"
+#include "common/checkOutputs.h"
+#include "common/runProgram.h"
 #include "pipeline/MappingTrace.h"
 #include "pipeline/TimingLog.h"
 #include "plugins/PluginLoader.h"
@@ -49,70 +51,39 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
-    TCLAP::SwitchArg listPlugins{"", "list-plugins", "Print the plugins that are there, and end",
-                                 parser()};
-    TCLAP::SwitchArg checkConfig{"", "check-config", "Check the configuration, and end", parser()};
-    TCLAP::SwitchArg dumpConfig{"", "dump-config",
-                                "Print the effective configuration as an INI, and end", parser()};
-    TCLAP::ValueArg<std::string> trace{
-        "",      "trace", "Write why each opinion, division and merge was decided as it was",
-        false,   "",      "FILE.jsonl",
-        parser()};
-    TCLAP::ValueArg<std::string> timing{
-        "",         "timing", "Write each frame's CPU time per stage [ms]", false, "",
-        "FILE.csv", parser()};
-    TCLAP::ValueArg<std::string> resume{
-        "",
-        "resume",
-        "Go on with this map instead of an empty one; frames it has are left out with --from",
-        false,
-        "",
-        "MAP.voxeland",
-        parser()};
-    apps::SetArgument set{"configuration", parser()};
-    TCLAP::ValueArg<uint32_t> every{"",  "every", "Use one frame in so many (default: 1)", false, 1,
-                                    "N", parser()};
-    TCLAP::ValueArg<uint32_t> to{"",
-                                 "to",
-                                 "Last frame to use, by number (default: the last)",
-                                 false,
-                                 std::numeric_limits<uint32_t>::max(),
-                                 "N",
-                                 parser()};
-    TCLAP::ValueArg<uint32_t> from{
-        "", "from", "First frame to use, by number (default: 0)", false, 0, "N", parser()};
-    TCLAP::ValueArg<std::string> exportDir{
-        "",      "export-dir", "Also write PLY, JSON, CSV and pictures of the map into this folder",
-        false,   "",           "DIR",
-        parser()};
-    apps::TrustPathsArgument trustPaths{parser()};
-    TCLAP::SwitchArg strict{"", "strict",
-                            "An odd pose, or a frame whose depth image cannot be used, is an error "
-                            "instead of left out and told",
-                            parser()};
-    TCLAP::ValueArg<std::string> poseAxes{
-        "",
-        "pose-axes",
+    apps::Switch listPlugins{*this, "--list-plugins", "Print the plugins that are there, and end"};
+    apps::Switch checkConfig{*this, "--check-config", "Check the configuration, and end"};
+    apps::Switch dumpConfig{*this, "--dump-config",
+                            "Print the effective configuration as an INI, and end"};
+    apps::Text trace{*this, "--trace", "FILE.jsonl",
+                     "Write why each opinion, division and merge was decided as it was"};
+    apps::Text timing{*this, "--timing", "FILE.csv", "Write each frame's CPU time per stage [ms]"};
+    apps::Text resume{
+        *this, "--resume", "MAP.voxeland",
+        "Go on with this map instead of an empty one; frames it has are left out with --from"};
+    apps::SetArgument set{*this, "configuration"};
+    apps::Number<uint32_t> every{*this, "--every", "N", "Use one frame in so many (default: 1)", 1};
+    apps::Number<uint32_t> to{*this, "--to", "N",
+                              "Last frame to use, by number (default: the last)",
+                              std::numeric_limits<uint32_t>::max()};
+    apps::Number<uint32_t> from{*this, "--from", "N", "First frame to use, by number (default: 0)",
+                                0};
+    apps::Text exportDir{*this, "--export-dir", "DIR",
+                         "Also write PLY, JSON, CSV and pictures of the map into this folder"};
+    apps::TrustPathsArgument trustPaths{*this};
+    apps::Switch strict{*this, "--strict",
+                        "An odd pose, or a frame whose depth image cannot be used, is an error "
+                        "instead of left out and told"};
+    apps::Text poseAxes{
+        *this, "--pose-axes", "AXES",
         "What the poses are of: body, the robot (default); optical, the depth camera (x right, y "
-        "down, z forward: TUM, ORB-SLAM); opengl, it too (x right, y up, z backward)",
-        false,
-        "",
-        "AXES",
-        parser()};
-    TCLAP::ValueArg<std::string> poses{
-        "",
-        "poses",
-        "Trajectory in TUM format, instead of the rawlog's poses; of the robot, or see --pose-axes",
-        false,
-        "",
-        "FILE.tum",
-        parser()};
-    TCLAP::ValueArg<std::string> output{"o", "output",       "Map to write", false,
-                                        "",  "MAP.voxeland", parser()};
-    TCLAP::ValueArg<std::string> input{
-        "i", "input", "Rawlog or simplemap to read", false, "", "FILE.rawlog", parser()};
-    TCLAP::ValueArg<std::string> config{
-        "c", "config", "Configuration (default: all defaults)", false, "", "FILE.ini", parser()};
+        "down, z forward: TUM, ORB-SLAM); opengl, it too (x right, y up, z backward)"};
+    apps::Text poses{*this, "--poses", "FILE.tum",
+                     "Trajectory in TUM format, instead of the rawlog's poses; of the robot, or "
+                     "see --pose-axes"};
+    apps::Text output{*this, "-o,--output", "MAP.voxeland", "Map to write"};
+    apps::Text input{*this, "-i,--input", "FILE.rawlog", "Rawlog or simplemap to read"};
+    apps::Text config{*this, "-c,--config", "FILE.ini", "Configuration (default: all defaults)"};
 };
 
 /** The INI to use: that of the command line, that of the map to resume, or defaults. */
@@ -120,13 +91,13 @@ Ini configuration(Arguments& arguments, const CVoxelandMap* resumed)
 {
     Ini ini;
     if (arguments.config.isSet())
-        ini = Ini::fromFile(arguments.config.getValue());
+        ini = Ini::fromFile(arguments.config.value());
     else if (resumed != nullptr)
-        ini = Ini::fromMap(resumed->configText(), arguments.resume.getValue());
-    if (arguments.poses.isSet()) ini.set("voxeland.pose_source=tum:" + arguments.poses.getValue());
+        ini = Ini::fromMap(resumed->configText(), arguments.resume.value());
+    if (arguments.poses.isSet()) ini.set("voxeland.pose_source=tum:" + arguments.poses.value());
     if (arguments.poseAxes.isSet())
         ini.set("voxeland.pose_axes=" +
-                nameOf(poseAxesNamed(arguments.poseAxes.getValue(), "--pose-axes")));
+                nameOf(poseAxesNamed(arguments.poseAxes.value(), "--pose-axes")));
     arguments.set.applyTo(ini);
     return ini;
 }
@@ -144,7 +115,7 @@ void printSummary(const CVoxelandMap& map, const TimingLog& timing)
 void warnOfRepetition(Arguments& arguments, const MappingCounts& before)
 {
     const uint32_t met = before.frames + before.framesWithoutPose;
-    arguments.warn("frames of this rawlog are in '" + arguments.resume.getValue() +
+    arguments.warn("frames of this rawlog are in '" + arguments.resume.value() +
                    "' already and now count twice; it was made from " + counted(met, "frame") +
                    ": if they are the first of this rawlog, go on with --from " +
                    std::to_string(met));
@@ -191,8 +162,8 @@ Run mapFrames(Arguments& arguments, CVoxelandMap& map, const apps::Interruption&
     const MappingCounts before = map.counts();
     auto timesBefore = timesOfViews(map.map());
     RawlogFrameSource source(
-        arguments.input.getValue(), map.withCamera(map.mapper().config().input),
-        {arguments.from.getValue(), arguments.to.getValue(), arguments.every.getValue()},
+        arguments.input.value(), map.withCamera(map.mapper().config().input),
+        {arguments.from.value(), arguments.to.value(), arguments.every.value()},
         arguments.strict.isSet());
     source.stopWhen([&] { return interruption.wasRequested(); });
     apps::Progress progress("frames", 0, !arguments.quiet());
@@ -220,13 +191,13 @@ Run mapAndSave(Arguments& arguments, CVoxelandMap& map)
 {
     const apps::Interruption interruption;
     Run run;
-    const auto save = [&] { saveMap(map, arguments.output.getValue()); };
+    const auto save = [&] { saveMap(map, arguments.output.value()); };
     if (!arguments.trace.isSet()) {
         run = mapFrames(arguments, map, interruption);
         save();
         return run;
     }
-    writeAtomically(arguments.trace.getValue(), [&](std::ostream& out) {
+    writeAtomically(arguments.trace.value(), [&](std::ostream& out) {
         map.setTrace(std::make_shared<MappingTrace>(out, map.mapper().config()));
         run = mapFrames(arguments, map, interruption);
         map.setTrace(nullptr);
@@ -247,12 +218,12 @@ std::string continued(const std::string& file, uint32_t from)
 /** Ends an interrupted run, with the command that goes on. */
 [[noreturn]] void endInterrupted(Arguments& arguments, const Run& run)
 {
-    const std::string& output = arguments.output.getValue();
+    const std::string& output = arguments.output.value();
     const uint32_t next = *run.stoppedBefore;
     std::map<std::string, std::string> values = {{"--resume", output},
                                                  {"--from", std::to_string(next)}};
     for (auto* file : {&arguments.trace, &arguments.timing})
-        if (file->isSet()) values["--" + file->getName()] = continued(file->getValue(), next);
+        if (file->isSet()) values[file->name()] = continued(file->value(), next);
     throw apps::Interrupted("interrupted; the map of " + counted(run.frames, "frame") + " is in '" +
                                 output + "', go on with:",
                             arguments.commandWith(values));
@@ -262,7 +233,7 @@ int makeMap(Arguments& arguments)
 {
     std::shared_ptr<CVoxelandMap> map = std::make_shared<CVoxelandMap>();
     const bool resumes = arguments.resume.isSet();
-    if (resumes) map = loadMap(arguments.resume.getValue());
+    if (resumes) map = loadMap(arguments.resume.value());
     MapperConfig config(configuration(arguments, resumes ? map.get() : nullptr),
                         MapperConfig::Purpose::mapping,
                         [&](const std::string& left) { arguments.warn(left); });
@@ -274,22 +245,22 @@ int makeMap(Arguments& arguments)
         std::cout << "the configuration is valid\n";
         return 0;
     }
-    if (arguments.input.getValue().empty() || arguments.output.getValue().empty())
+    if (arguments.input.value().empty() || arguments.output.value().empty())
         throw ConfigurationError("give a rawlog with -i and a map to write with -o (see --help)");
-    if (arguments.every.getValue() == 0 || arguments.from.getValue() > arguments.to.getValue())
+    if (arguments.every.value() == 0 || arguments.from.value() > arguments.to.value())
         throw ConfigurationError("--every must be at least 1 and --from not beyond --to");
-    const std::string& input = arguments.input.getValue();
+    const std::string& input = arguments.input.value();
     config.input.trust_paths = arguments.trustPaths.isSet();
     map->setConfig(config);
-    if (arguments.exportDir.isSet()) checkExportFolder(arguments.exportDir.getValue());
+    if (arguments.exportDir.isSet()) checkExportFolder(arguments.exportDir.value());
     apps::checkOutputs(
-        {arguments.output.getValue(), arguments.timing.getValue(), arguments.trace.getValue()},
-        {input, RawlogFiles(input).sidecar.string(), arguments.poses.getValue(),
-         arguments.config.getValue()});
+        {arguments.output.value(), arguments.timing.value(), arguments.trace.value()},
+        {input, RawlogFiles(input).sidecar.string(), arguments.poses.value(),
+         arguments.config.value()});
 
     const Run run = mapAndSave(arguments, *map);
     if (arguments.timing.isSet())
-        writeAtomically(arguments.timing.getValue(),
+        writeAtomically(arguments.timing.value(),
                         [&](std::ostream& out) { run.timing.writeCsv(out); });
     if (run.stoppedBefore) endInterrupted(arguments, run);
     if (map->counts().framesWithoutPredictions == map->counts().frames &&
@@ -299,8 +270,8 @@ int makeMap(Arguments& arguments)
             "they belong in the rawlog or in NAME.instances.rawlog beside it");
     if (arguments.exportDir.isSet()) {
         WrittenFiles written;
-        written.add(arguments.output.getValue());
-        exportAll(map->map(), arguments.exportDir.getValue(), written);
+        written.add(arguments.output.value());
+        exportAll(map->map(), arguments.exportDir.value(), written);
     }
     printSummary(*map, run.timing);
     return 0;

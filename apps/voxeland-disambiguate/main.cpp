@@ -6,6 +6,8 @@
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "common/TrustPathsArgument.h"
+#include "common/checkOutputs.h"
+#include "common/runProgram.h"
 #include "disambiguation/AnswerJournal.h"
 #include "disambiguation/Checkpoint.h"
 #include "disambiguation/Decisions.h"
@@ -56,31 +58,25 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
-    TCLAP::ValueArg<std::string> undo{
-        "",       "undo",  "Take the decisions about an instance, or all of them, back", false, "",
-        "ID|all", parser()};
-    TCLAP::ValueArg<std::string> report{
-        "", "report", "Write what was asked and what came of it", false, "", "F.json", parser()};
-    TCLAP::ValueArg<std::string> dryRun{
-        "",    "dry-run", "Write what would be asked into this folder, and ask nothing", false, "",
-        "DIR", parser()};
-    apps::TrustPathsArgument trustPaths{parser()};
-    apps::SetArgument set{"configuration", parser()};
-    TCLAP::ValueArg<std::string> output{"o", "output",       "Map to write", false,
-                                        "",  "MAP.voxeland", parser()};
-    TCLAP::ValueArg<std::string> config{
-        "c",        "config", "Configuration (default: the one stored in the map)", false, "",
-        "FILE.ini", parser()};
-    TCLAP::ValueArg<std::string> input{
-        "i",           "input", "Rawlog or simplemap the map was made from", false, "",
-        "FILE.rawlog", parser()};
-    TCLAP::ValueArg<std::string> map{"m", "map", "Map to read", true, "", "MAP.voxeland", parser()};
+    apps::Text undo{*this, "--undo", "ID|all",
+                    "Take the decisions about an instance, or all of them, back"};
+    apps::Text report{*this, "--report", "F.json", "Write what was asked and what came of it"};
+    apps::Text dryRun{*this, "--dry-run", "DIR",
+                      "Write what would be asked into this folder, and ask nothing"};
+    apps::TrustPathsArgument trustPaths{*this};
+    apps::SetArgument set{*this, "configuration"};
+    apps::Text output{*this, "-o,--output", "MAP.voxeland", "Map to write"};
+    apps::Text config{*this, "-c,--config", "FILE.ini",
+                      "Configuration (default: the one stored in the map)"};
+    apps::Text input{*this, "-i,--input", "FILE.rawlog",
+                     "Rawlog or simplemap the map was made from"};
+    apps::Text map{*this, "-m,--map", "MAP.voxeland", "Map to read", apps::Presence::required};
 };
 
 Ini configuration(Arguments& arguments, const CVoxelandMap& map)
 {
-    Ini ini = arguments.config.isSet() ? Ini::fromFile(arguments.config.getValue())
-                                       : Ini::fromMap(map.configText(), arguments.map.getValue());
+    Ini ini = arguments.config.isSet() ? Ini::fromFile(arguments.config.value())
+                                       : Ini::fromMap(map.configText(), arguments.map.value());
     arguments.set.applyTo(ini);
     return ini;
 }
@@ -90,18 +86,17 @@ void checkArguments(Arguments& arguments)
     const bool asks = !arguments.undo.isSet();
     if (asks && !arguments.input.isSet())
         throw ConfigurationError("give the rawlog the map was made from with -i (see --help)");
-    if (arguments.output.getValue().empty() && !arguments.dryRun.isSet())
+    if (arguments.output.value().empty() && !arguments.dryRun.isSet())
         throw ConfigurationError("give a map to write with -o, or --dry-run (see --help)");
-    const std::string& input = arguments.input.getValue();
-    apps::checkOutputs(
-        {arguments.output.getValue(), arguments.report.getValue()},
-        {arguments.map.getValue(), input, asks ? RawlogFiles(input).sidecar.string() : "",
-         arguments.config.getValue()});
+    const std::string& input = arguments.input.value();
+    apps::checkOutputs({arguments.output.value(), arguments.report.value()},
+                       {arguments.map.value(), input,
+                        asks ? RawlogFiles(input).sidecar.string() : "", arguments.config.value()});
 }
 
 int undo(Arguments& arguments, CVoxelandMap& map)
 {
-    const std::string& what = arguments.undo.getValue();
+    const std::string& what = arguments.undo.value();
     std::optional<instance_id_t> instance;
     if (what != "all") {
         instance_id_t id = UNKNOWN_INSTANCE;
@@ -113,7 +108,7 @@ int undo(Arguments& arguments, CVoxelandMap& map)
         instance = id;
     }
     const size_t undone = undoDecisions(map.editMap(), instance);
-    saveMap(map, arguments.output.getValue());
+    saveMap(map, arguments.output.value());
     std::cout << "decisions taken back: " << undone << "\n";
     return 0;
 }
@@ -127,7 +122,7 @@ std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const Se
     size_t missing = 0;
     {
         apps::Progress progress("% of the rawlog", 100, !arguments.quiet());
-        missing = fetchPictures(uncertain, arguments.input.getValue(), config, [&](double share) {
+        missing = fetchPictures(uncertain, arguments.input.value(), config, [&](double share) {
             progress.update(static_cast<size_t>(100 * share), share);
         });
     }
@@ -174,7 +169,7 @@ void sayWaiting(const DisambiguationReport& report, const std::string& howToAnsw
 /** Writes the map with all answers so far. */
 void save(Arguments& arguments, const CVoxelandMap& map, AnswerJournal& journal)
 {
-    saveMap(map, arguments.output.getValue());
+    saveMap(map, arguments.output.value());
     journal.discard();
 }
 
@@ -215,7 +210,7 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
     }
     save(arguments, map, journal);
     if (arguments.report.isSet())
-        writeAtomically(arguments.report.getValue(),
+        writeAtomically(arguments.report.value(),
                         [&](std::ostream& out) { out << report.asJson(map.map()); });
     asking.rethrow();
     return report;
@@ -237,7 +232,7 @@ std::vector<DisambiguationQuestion> makeQuestions(Arguments& arguments, const Se
 void goOn(Arguments& arguments, CVoxelandMap& map, const MapperConfig& config,
           const Revision& revision, AnswerJournal& journal)
 {
-    const std::string& output = arguments.output.getValue();
+    const std::string& output = arguments.output.value();
     const size_t decisions = takeOverDecisions(map, output);
     const size_t answers = journal.replay(map.map(), [&](instance_id_t id, const Decision& d) {
         revision.decide(map.editMap(), id, d, config.disambiguation);
@@ -260,13 +255,13 @@ int ask(Arguments& arguments, CVoxelandMap& map, const std::vector<std::string>&
     const Revision revision(map.map(), config.disambiguator->GetRuntimeClass()->className);
     std::optional<AnswerJournal> journal;
     if (!dry) {
-        journal.emplace(arguments.output.getValue(), arguments.map.getValue(),
+        journal.emplace(arguments.output.value(), arguments.map.value(),
                         config.disambiguator->GetRuntimeClass()->className);
         if (!config.disambiguation.ask_again) goOn(arguments, map, config, revision, *journal);
     }
     auto questions = makeQuestions(arguments, map.map(), revision, config);
     if (dry) {
-        writeQuestions(questions, config.disambiguation, arguments.dryRun.getValue());
+        writeQuestions(questions, config.disambiguation, arguments.dryRun.value());
         sayEstimate(estimate(questions, config.disambiguation));
         sayTooSmall(map.map(), config.disambiguation);
         return 0;
@@ -289,7 +284,7 @@ int run(int argc, char** argv)
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
     checkArguments(arguments);
-    const auto map = loadMap(arguments.map.getValue());
+    const auto map = loadMap(arguments.map.value());
     return arguments.undo.isSet() ? undo(arguments, *map)
                                   : ask(arguments, *map, {argv, argv + argc});
 }

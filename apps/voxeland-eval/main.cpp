@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Says how good maps are, and how well they know it, given ground truth. */
 #include "common/CommandLine.h"
+#include "common/checkOutputs.h"
+#include "common/runProgram.h"
 #include "evaluation/EvaluationReport.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/joined.h"
@@ -38,94 +40,61 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
-    TCLAP::ValueArg<std::string> curvePng{
-        "",     "curve-png", "Write a picture of precision against entropy", false, "",
-        "FILE", parser()};
-    TCLAP::ValueArg<std::string> curve{
-        "",     "curve", "Write precision against entropy threshold as CSV", false, "",
-        "FILE", parser()};
-    TCLAP::ValueArg<std::string> report{"",     "report", "Write all figures as JSON", false, "",
-                                        "FILE", parser()};
-    TCLAP::ValueArg<double> radius{
-        "",
-        "match-radius",
-        "Reach of an occupied voxel's centre for points that no occupied "
-        "voxel contains [m] (default: max(0.05, half a voxel's diagonal))",
-        false,
-        0,
-        "METRES",
-        parser()};
-    TCLAP::ValueArg<size_t> minPoints{
-        "",
-        "min-points",
+    apps::Text curvePng{*this, "--curve-png", "FILE",
+                        "Write a picture of precision against entropy"};
+    apps::Text curve{*this, "--curve", "FILE", "Write precision against entropy threshold as CSV"};
+    apps::Text report{*this, "--report", "FILE", "Write all figures as JSON"};
+    apps::Number<double> radius{*this, "--match-radius", "METRES",
+                                "Reach of an occupied voxel's centre for points that no occupied "
+                                "voxel contains [m] (default: max(0.05, half a voxel's diagonal))",
+                                0};
+    apps::Number<size_t> minPoints{
+        *this, "--min-points", "N",
         "Instances with fewer ground-truth points are left out, objects ignored (default: 100)",
-        false,
-        EvaluationProtocol().minPoints,
-        "N",
-        parser()};
-    TCLAP::ValueArg<std::string> voidPolicy{
-        "",
-        "void",
-        "Instances on nothing annotated with an evaluated class: ignore (default) or false "
-        "positives",
-        false,
-        "ignore",
-        "ignore|fp",
-        parser()};
-    TCLAP::ValueArg<std::string> score{
-        "",
-        "score",
-        "What ranks instances: probability of the category (default), certainty (1 - entropy / "
-        "ln(number of categories)), or number of observations",
-        false,
-        "probability",
-        "probability|certainty|observations",
-        parser()};
-    TCLAP::ValueArg<std::string> labels{
-        "",
-        "labels",
-        "CSV file (header name,class) of the category names to evaluate and their classes "
-        "(default: the nine classes of the paper)",
-        false,
-        "",
-        "FILE",
-        parser()};
-    TCLAP::ValueArg<std::string> format{
-        "",      "format", "Format of the ground truth (default: ply)",
-        false,   "ply",    joined(groundTruthFormats(), "|"),
-        parser()};
-    TCLAP::MultiArg<std::string> truths{"",   "gt",  "Ground truth; once for each map, in order",
-                                        true, "DIR", parser()};
-    TCLAP::MultiArg<std::string> maps{
-        "m", "map", "Map file (*.voxeland); may be given repeatedly", true, "FILE", parser()};
+        EvaluationProtocol().minPoints};
+    apps::Text voidPolicy{*this, "--void", "ignore|fp",
+                          "Instances on nothing annotated with an evaluated class: ignore "
+                          "(default) or false positives",
+                          "ignore"};
+    apps::Text score{*this, "--score", "probability|certainty|observations",
+                     "What ranks instances: probability of the category (default), certainty (1 - "
+                     "entropy / ln(number of categories)), or number of observations",
+                     "probability"};
+    apps::Text labels{*this, "--labels", "FILE",
+                      "CSV file (header name,class) of the category names to evaluate and their "
+                      "classes (default: the nine classes of the paper)"};
+    apps::Text format{*this, "--format", joined(groundTruthFormats(), "|"),
+                      "Format of the ground truth (default: ply)", "ply"};
+    apps::Texts truths{*this, "--gt", "DIR", "Ground truth; once for each map, in order",
+                       apps::Presence::required};
+    apps::Texts maps{*this, "-m,--map", "FILE", "Map file (*.voxeland); may be given repeatedly",
+                     apps::Presence::required};
 };
 
 void checkArguments(Arguments& arguments)
 {
-    const size_t maps = arguments.maps.getValue().size();
-    const size_t truths = arguments.truths.getValue().size();
+    const size_t maps = arguments.maps.values().size();
+    const size_t truths = arguments.truths.values().size();
     if (maps != truths)
         throw ConfigurationError("there are " + std::to_string(maps) + " -m but " +
                                  std::to_string(truths) +
                                  " --gt: give one ground truth for each map");
-    if (arguments.radius.getValue() < 0)
+    if (arguments.radius.value() < 0)
         throw ConfigurationError("--match-radius must not be negative");
-    std::vector<std::string> inputs = arguments.maps.getValue();
-    inputs.push_back(arguments.labels.getValue());
-    inputs.insert(inputs.end(), arguments.truths.getValue().begin(),
-                  arguments.truths.getValue().end());
+    std::vector<std::string> inputs = arguments.maps.values();
+    inputs.push_back(arguments.labels.value());
+    inputs.insert(inputs.end(), arguments.truths.values().begin(), arguments.truths.values().end());
     apps::checkOutputs(
-        {arguments.report.getValue(), arguments.curve.getValue(), arguments.curvePng.getValue()},
-        inputs);
+        {arguments.report.value(), arguments.curve.value(), arguments.curvePng.value()}, inputs);
 }
 
 EvaluationProtocol protocolOf(Arguments& arguments)
 {
     EvaluationProtocol protocol;
-    protocol.minPoints = arguments.minPoints.getValue();
-    protocol.voidPolicy = voidPolicyFromString(arguments.voidPolicy.getValue());
-    protocol.score = scoreKindFromString(arguments.score.getValue());
-    protocol.matchRadius = arguments.radius.getValue();
+    protocol.minPoints = arguments.minPoints.value();
+    protocol.voidPolicy = voidPolicyFromString(arguments.voidPolicy.value());
+    protocol.score = scoreKindFromString(arguments.score.value());
+    protocol.matchRadius = arguments.radius.value();
     return protocol;
 }
 
@@ -145,15 +114,14 @@ void write(const std::string& file, const std::string& content)
 EvaluationReport evaluateMaps(Arguments& arguments)
 {
     const EvaluationProtocol protocol = protocolOf(arguments);
-    const LabelMap classes = arguments.labels.isSet()
-                                 ? LabelMap::fromFile(arguments.labels.getValue())
-                                 : LabelMap::paper9();
+    const LabelMap classes = arguments.labels.isSet() ? LabelMap::fromFile(arguments.labels.value())
+                                                      : LabelMap::paper9();
     EvaluationReport result(classes, protocol);
-    for (size_t i = 0; i < arguments.maps.getValue().size(); ++i) {
-        const std::string& mapFile = arguments.maps.getValue()[i];
-        const std::string& truthFile = arguments.truths.getValue()[i];
+    for (size_t i = 0; i < arguments.maps.values().size(); ++i) {
+        const std::string& mapFile = arguments.maps.values()[i];
+        const std::string& truthFile = arguments.truths.values()[i];
         arguments.note("evaluating " + mapFile);
-        const GroundTruth truth = readGroundTruth(truthFile, arguments.format.getValue());
+        const GroundTruth truth = readGroundTruth(truthFile, arguments.format.value());
         const auto file = loadMap(mapFile);
         const SemanticVoxelMap& map = file->map();
         result.add({mapFile, truthFile, matchRadius(protocol, map.resolution()),
@@ -170,11 +138,10 @@ int run(int argc, char** argv)
     checkArguments(arguments);
     const EvaluationReport result = evaluateMaps(arguments);
     std::cout << result.text();
-    write(arguments.report.getValue(), result.json());
+    write(arguments.report.value(), result.json());
     const UncertaintyMetrics uncertainty = result.pooled().uncertainty;
-    write(arguments.curve.getValue(), precisionCurveCsv(uncertainty.curve));
-    write(arguments.curvePng.getValue(),
-          precisionCurvePng(uncertainty.curve, uncertainty.threshold));
+    write(arguments.curve.value(), precisionCurveCsv(uncertainty.curve));
+    write(arguments.curvePng.value(), precisionCurvePng(uncertainty.curve, uncertainty.threshold));
     return 0;
 }
 }  // namespace

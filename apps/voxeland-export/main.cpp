@@ -3,6 +3,8 @@
 #include "base/ClassicNumbers.h"
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
+#include "common/checkOutputs.h"
+#include "common/runProgram.h"
 #include "exporters/GlbFile.h"
 #include "exporters/GridFiles.h"
 #include "exporters/InstancesCsv.h"
@@ -59,87 +61,44 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
-    TCLAP::ValueArg<std::string> up{
-        "",
-        "up",
-        "Direction of up in the map's frame (default: +z, or that direction near it in which floor"
-        " and tables are level, or -y in a world with a camera's axes)",
-        false,
-        "",
-        "X,Y,Z",
-        parser()};
-    TCLAP::ValueArg<std::string> height{
-        "",
-        "height",
-        "Heights above the floor [m] of --gridmap and --ros-map (default: 0.1,1.8) and --points"
-        " (default: all)",
-        false,
-        "",
-        "LOW,HIGH",
-        parser()};
-    TCLAP::MultiArg<std::string> category{
-        "",    "category", "--points: only of this category; may be repeated",
-        false, "NAME",     parser()};
-    TCLAP::MultiArg<std::string> except{
-        "", "except", "--points: not of this category; may be repeated", false, "NAME", parser()};
-    TCLAP::ValueArg<uint32_t> minVoxels{
-        "",
-        "min-voxels",
-        "Take instances of fewer occupied voxels for unknown, in all outputs",
-        false,
-        0,
-        "N",
-        parser()};
-    TCLAP::SwitchArg all{
-        "", "all", "PLY: also voxels that were measured once but are now believed free", parser()};
-    TCLAP::ValueArg<std::string> points{
-        "",      "points", "Centres of voxels as an MRPT points map (.txt, .metricmap or .3Dscene)",
-        false,   "",       "FILE",
-        parser()};
-    TCLAP::ValueArg<std::string> rosMap{
-        "",      "ros-map", "Slice of some heights for ROS's map_server, with a .pgm beside it",
-        false,   "",        "FILE.yaml",
-        parser()};
-    TCLAP::ValueArg<std::string> gridmap{
-        "",      "gridmap", "Slice of some heights as an MRPT occupancy grid",
-        false,   "",        "FILE.gridmap",
-        parser()};
-    TCLAP::ValueArg<std::string> octomap{
-        "",        "octomap", "Occupancy as an OctoMap (.bt, or .ot with probabilities)", false, "",
-        "FILE.bt", parser()};
-    TCLAP::ValueArg<std::string> glb{
-        "",      "glb", "Binary glTF: voxels as a coloured mesh, a node for each instance",
-        false,   "",    "FILE.glb",
-        parser()};
-    TCLAP::ValueArg<std::string> scene{
-        "",      "scene", "Voxels, boxes and names of instances for MRPT's SceneViewer3D",
-        false,   "",      "FILE.3Dscene",
-        parser()};
-    TCLAP::ValueArg<std::string> pngDir{
-        "",
-        "png-dir",
-        "Folder for pictures with legends: instances, categories and three uncertainties, each"
-        " from the top and in perspective",
-        false,
-        "",
-        "DIR",
-        parser()};
-    TCLAP::ValueArg<std::string> csv{"",     "csv",   "Table of the instances", false, "",
-                                     "FILE", parser()};
-    TCLAP::ValueArg<std::string> json{
-        "",     "json",  "Instances with evidence, probabilities, entropies and boxes", false, "",
-        "FILE", parser()};
-    TCLAP::ValueArg<std::string> perInstance{
-        "", "per-instance", "Folder for a PLY of each instance", false, "", "DIR", parser()};
-    TCLAP::ValueArg<std::string> ply{
-        "",
-        "ply",
-        "Voxels as a binary point cloud with instance, category, occupancy and uncertainties",
-        false,
-        "",
-        "FILE",
-        parser()};
-    TCLAP::ValueArg<std::string> map{"m", "map", "Map to read", true, "", "MAP.voxeland", parser()};
+    apps::Text up{*this, "--up", "X,Y,Z",
+                  "Direction of up in the map's frame (default: +z, or that direction near it in "
+                  "which floor and tables are level, or -y in a world with a camera's axes)"};
+    apps::Text height{*this, "--height", "LOW,HIGH",
+                      "Heights above the floor [m] of --gridmap and --ros-map (default: 0.1,1.8) "
+                      "and --points (default: all)"};
+    apps::Texts category{*this, "--category", "NAME",
+                         "--points: only of this category; may be repeated"};
+    apps::Texts except{*this, "--except", "NAME",
+                       "--points: not of this category; may be repeated"};
+    apps::Number<uint32_t> minVoxels{
+        *this, "--min-voxels", "N",
+        "Take instances of fewer occupied voxels for unknown, in all outputs", 0};
+    apps::Switch all{*this, "--all",
+                     "PLY: also voxels that were measured once but are now believed free"};
+    apps::Text points{*this, "--points", "FILE",
+                      "Centres of voxels as an MRPT points map (.txt, .metricmap or .3Dscene)"};
+    apps::Text rosMap{*this, "--ros-map", "FILE.yaml",
+                      "Slice of some heights for ROS's map_server, with a .pgm beside it"};
+    apps::Text gridmap{*this, "--gridmap", "FILE.gridmap",
+                       "Slice of some heights as an MRPT occupancy grid"};
+    apps::Text octomap{*this, "--octomap", "FILE.bt",
+                       "Occupancy as an OctoMap (.bt, or .ot with probabilities)"};
+    apps::Text glb{*this, "--glb", "FILE.glb",
+                   "Binary glTF: voxels as a coloured mesh, a node for each instance"};
+    apps::Text scene{*this, "--scene", "FILE.3Dscene",
+                     "Voxels, boxes and names of instances for MRPT's SceneViewer3D"};
+    apps::Text pngDir{*this, "--png-dir", "DIR",
+                      "Folder for pictures with legends: instances, categories and three "
+                      "uncertainties, each from the top and in perspective"};
+    apps::Text csv{*this, "--csv", "FILE", "Table of the instances"};
+    apps::Text json{*this, "--json", "FILE",
+                    "Instances with evidence, probabilities, entropies and boxes"};
+    apps::Text perInstance{*this, "--per-instance", "DIR", "Folder for a PLY of each instance"};
+    apps::Text ply{
+        *this, "--ply", "FILE",
+        "Voxels as a binary point cloud with instance, category, occupancy and uncertainties"};
+    apps::Text map{*this, "-m,--map", "MAP.voxeland", "Map to read", apps::Presence::required};
 };
 
 /** Tries to write one format after another: what one of them cannot hold, or cannot be written,
@@ -179,8 +138,7 @@ class Attempts
 HeightRange heightsOf(Arguments& arguments, const SemanticVoxelMap& map,
                       const GravityAlignedFrame& frame, HeightRange heights)
 {
-    if (arguments.height.isSet())
-        heights = apps::parseHeights("height", arguments.height.getValue());
+    if (arguments.height.isSet()) heights = apps::parseHeights(arguments.height);
     const double floor = floorHeight(map, frame);
     const auto& up = frame.axes()[2];
     arguments.note(format("heights are along (%.3f, %.3f, %.3f), from %.2f m", up.x, up.y, up.z,
@@ -192,11 +150,11 @@ void writePly(Arguments& arguments, const SemanticVoxelMap& map, WrittenFiles& w
 {
     const bool occupiedOnly = !arguments.all.isSet();
     if (arguments.ply.isSet()) {
-        exportPly(map, arguments.ply.getValue(), occupiedOnly);
-        written.add(arguments.ply.getValue());
+        exportPly(map, arguments.ply.value(), occupiedOnly);
+        written.add(arguments.ply.value());
     }
     if (arguments.perInstance.isSet())
-        exportPlyPerInstance(map, arguments.perInstance.getValue(), written, occupiedOnly);
+        exportPlyPerInstance(map, arguments.perInstance.value(), written, occupiedOnly);
 }
 
 void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
@@ -207,12 +165,12 @@ void writeGrids(Arguments& arguments, const SemanticVoxelMap& map, const Gravity
         inWorld(sliceOf(map, frame, heightsOf(arguments, map, frame, {0.1, 1.8})), map);
     if (arguments.gridmap.isSet())
         attempts.attempt([&] {
-            exportGridmap(slice, arguments.gridmap.getValue());
-            attempts.written().add(arguments.gridmap.getValue());
+            exportGridmap(slice, arguments.gridmap.value());
+            attempts.written().add(arguments.gridmap.value());
         });
     if (arguments.rosMap.isSet())
         attempts.attempt(
-            [&] { exportRosMap(slice, arguments.rosMap.getValue(), attempts.written()); });
+            [&] { exportRosMap(slice, arguments.rosMap.value(), attempts.written()); });
 }
 
 /** Whether any object is of a category, or that is *unknown*. */
@@ -232,25 +190,25 @@ void writePoints(Arguments& arguments, const SemanticVoxelMap& map,
 {
     PointsFilter filter;
     filter.frame = frame;
-    for (const std::string& name : arguments.category.getValue()) filter.categories.insert(name);
-    for (const std::string& name : arguments.except.getValue()) filter.except.insert(name);
+    for (const std::string& name : arguments.category.values()) filter.categories.insert(name);
+    for (const std::string& name : arguments.except.values()) filter.except.insert(name);
     for (const auto* names : {&filter.categories, &filter.except})
         for (const std::string& name : *names)
             if (!isInMap(map, name)) arguments.warn(whyNoneIsFound(map, name));
     if (arguments.height.isSet()) filter.heights = heightsOf(arguments, map, frame, {});
-    if (exportPoints(map, filter, arguments.points.getValue()) == 0)
+    if (exportPoints(map, filter, arguments.points.value()) == 0)
         arguments.warn("no voxel is of these categories and heights");
-    written.add(arguments.points.getValue());
+    written.add(arguments.points.value());
 }
 
 /** An output that is one file. */
-void writeFile(TCLAP::ValueArg<std::string>& output, Attempts& attempts,
+void writeFile(const apps::Text& output, Attempts& attempts,
                const std::function<void(const std::string&)>& write)
 {
     if (!output.isSet()) return;
     attempts.attempt([&] {
-        write(output.getValue());
-        attempts.written().add(output.getValue());
+        write(output.value());
+        attempts.written().add(output.value());
     });
 }
 
@@ -275,7 +233,7 @@ void writeAll(Arguments& arguments, const SemanticVoxelMap& map, const GravityAl
         attempts.attempt([&] {
             ViewOptions views;
             views.up = frame.axes()[2];
-            exportViews(map, arguments.pngDir.getValue(), attempts.written(), views);
+            exportViews(map, arguments.pngDir.value(), attempts.written(), views);
         });
     attempts.finish();
 }
@@ -290,12 +248,12 @@ void checkEndings(Arguments& arguments)
           std::pair(&arguments.csv, ".csv"), std::pair(&arguments.glb, ".glb"),
           std::pair(&arguments.scene, ".3Dscene"), std::pair(&arguments.gridmap, ".gridmap")})
     {
-        const std::string own = std::filesystem::path(output->getValue()).extension().string();
+        const std::string own = std::filesystem::path(output->value()).extension().string();
         const bool isKnown = std::any_of(std::begin(ENDINGS), std::end(ENDINGS),
                                          [&](const char* known) { return strCmpI(own, known); });
         if (isKnown && !strCmpI(own, ending))
-            throw ConfigurationError("--" + output->getName() + " '" + output->getValue() +
-                                     "' must end in " + ending + ", which is what it writes");
+            throw ConfigurationError(output->name() + " '" + output->value() + "' must end in " +
+                                     ending + ", which is what it writes");
     }
 }
 
@@ -307,22 +265,22 @@ void check(Arguments& arguments)
     for (auto* output :
          {&arguments.ply, &arguments.json, &arguments.csv, &arguments.glb, &arguments.scene,
           &arguments.octomap, &arguments.gridmap, &arguments.rosMap, &arguments.points})
-        outputs.push_back(output->getValue());
+        outputs.push_back(output->value());
     const auto isEmpty = [](const std::string& file) { return file.empty(); };
     if (std::all_of(outputs.begin(), outputs.end(), isEmpty) && !arguments.perInstance.isSet() &&
         !arguments.pngDir.isSet())
         throw ConfigurationError("nothing to write: name at least one output (see --help)");
-    if (arguments.rosMap.isSet()) outputs.push_back(rosImageOf(arguments.rosMap.getValue()));
+    if (arguments.rosMap.isSet()) outputs.push_back(rosImageOf(arguments.rosMap.value()));
     if ((arguments.category.isSet() || arguments.except.isSet()) && !arguments.points.isSet())
         throw ConfigurationError("--category and --except go with --points");
     if (arguments.height.isSet()) {
-        static_cast<void>(apps::parseHeights("height", arguments.height.getValue()));
+        static_cast<void>(apps::parseHeights(arguments.height));
         if (!arguments.points.isSet() && !arguments.gridmap.isSet() && !arguments.rosMap.isSet())
             throw ConfigurationError("--height goes with --points, --gridmap and --ros-map");
     }
     for (auto* folder : {&arguments.perInstance, &arguments.pngDir})
-        if (folder->isSet()) makeOutputFolder(folder->getValue());
-    apps::checkOutputs(outputs, {arguments.map.getValue()});
+        if (folder->isSet()) makeOutputFolder(folder->value());
+    apps::checkOutputs(outputs, {arguments.map.value()});
 }
 
 int run(int argc, char** argv)
@@ -330,12 +288,12 @@ int run(int argc, char** argv)
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
     std::optional<mrpt::math::TVector3D> up;
-    if (arguments.up.isSet()) up = apps::parseDirection("up", arguments.up.getValue());
+    if (arguments.up.isSet()) up = apps::parseDirection(arguments.up);
     check(arguments);
 
-    const auto loaded = loadMap(arguments.map.getValue());
+    const auto loaded = loadMap(arguments.map.value());
     if (arguments.minVoxels.isSet())
-        deactivateSmallInstances(loaded->editMap(), arguments.minVoxels.getValue());
+        deactivateSmallInstances(loaded->editMap(), arguments.minVoxels.value());
     const SemanticVoxelMap& map = loaded->map();
     writeAll(arguments, map, GravityAlignedFrame(up ? *up : estimateUp(map)));
     return 0;

@@ -4,6 +4,7 @@
 #include "answers/InstanceExplanation.h"
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
+#include "common/runProgram.h"
 #include "planning/Reobservation.h"
 #include "voxeland/answers/MapAnswers.h"
 #include "voxeland/base/errors.h"
@@ -52,50 +53,29 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
-    TCLAP::SwitchArg json{"", "json", "Answer in JSON", parser()};
-    TCLAP::ValueArg<std::string> up{
-        "",
-        "up",
-        "--reobserve: direction of up in the map's frame (default: estimated, +z if in"
-        " doubt)",
-        false,
-        "",
-        "X,Y,Z",
-        parser()};
-    TCLAP::ValueArg<double> cameraHeight{
-        "",
-        "camera-height",
-        "--reobserve: of the camera above the floor (default: 1.2)",
-        false,
-        CarriedCamera().height,
-        "METRES",
-        parser()};
-    TCLAP::ValueArg<size_t> most{
-        "", "most", "--reobserve: how many to name (default: 10)", false, 10, "N", parser()};
-    TCLAP::SwitchArg reobserve{
-        "", "reobserve",
-        "Objects and regions worth another look, the most uncertain first, and where to look from",
-        parser()};
-    TCLAP::ValueArg<instance_id_t> explain{
-        "",   "explain", "Evidence, views, merges, splits and decisions of one object", false, 0,
-        "ID", parser()};
-    TCLAP::ValueArg<uint32_t> minVoxels{
-        "",  "min-voxels", "Take instances of fewer occupied voxels for unknown", false, 0,
-        "N", parser()};
-    TCLAP::ValueArg<std::string> from{
-        "",      "from", "Where --find measures distances from (default: the map's origin)",
-        false,   "",     "X,Y,Z",
-        parser()};
-    TCLAP::ValueArg<std::string> at{
-        "",      "at", "Occupancy, instances, categories and entropies of the voxel at a place",
-        false,   "",   "X,Y,Z",
-        parser()};
-    TCLAP::ValueArg<std::string> find{
-        "", "find", "Objects of a category, the nearest first", false, "", "CATEGORY", parser()};
-    TCLAP::SwitchArg instances{"", "instances", "Table of all objects, the biggest first",
-                               parser()};
-    TCLAP::UnlabeledValueArg<std::string> map{"map", "Map to read",  true,
-                                              "",    "MAP.voxeland", parser()};
+    apps::Switch json{*this, "--json", "Answer in JSON"};
+    apps::Text up{
+        *this, "--up", "X,Y,Z",
+        "--reobserve: direction of up in the map's frame (default: estimated, +z if in doubt)"};
+    apps::Number<double> cameraHeight{*this, "--camera-height", "METRES",
+                                      "--reobserve: of the camera above the floor (default: 1.2)",
+                                      CarriedCamera().height};
+    apps::Number<size_t> most{*this, "--most", "N", "--reobserve: how many to name (default: 10)",
+                              10};
+    apps::Switch reobserve{
+        *this, "--reobserve",
+        "Objects and regions worth another look, the most uncertain first, and where to look from"};
+    apps::Number<instance_id_t> explain{
+        *this, "--explain", "ID", "Evidence, views, merges, splits and decisions of one object", 0};
+    apps::Number<uint32_t> minVoxels{*this, "--min-voxels", "N",
+                                     "Take instances of fewer occupied voxels for unknown", 0};
+    apps::Text from{*this, "--from", "X,Y,Z",
+                    "Where --find measures distances from (default: the map's origin)"};
+    apps::Text at{*this, "--at", "X,Y,Z",
+                  "Occupancy, instances, categories and entropies of the voxel at a place"};
+    apps::Text find{*this, "--find", "CATEGORY", "Objects of a category, the nearest first"};
+    apps::Switch instances{*this, "--instances", "Table of all objects, the biggest first"};
+    apps::Text map{*this, "map", "MAP.voxeland", "Map to read", apps::Presence::required};
 };
 
 /** Complains about wrong usage before a map is read. */
@@ -113,48 +93,44 @@ void check(Arguments& arguments)
         arguments.up.isSet() || arguments.cameraHeight.isSet() || arguments.most.isSet();
     if (forReobserve && !arguments.reobserve.isSet())
         throw ConfigurationError("--up, --camera-height and --most go with --reobserve");
-    if (!(arguments.cameraHeight.getValue() > 0))
+    if (!(arguments.cameraHeight.value() > 0))
         throw ConfigurationError("--camera-height must be more than 0");
     for (auto* point : {&arguments.from, &arguments.at})
-        if (point->isSet())
-            static_cast<void>(apps::parsePoint(point->getName(), point->getValue()));
-    if (arguments.up.isSet())
-        static_cast<void>(apps::parseDirection("up", arguments.up.getValue()));
+        if (point->isSet()) static_cast<void>(apps::parsePoint(*point));
+    if (arguments.up.isSet()) static_cast<void>(apps::parseDirection(arguments.up));
 }
 
 std::string instances(Arguments& arguments, const CVoxelandMap& loaded)
 {
     const SemanticVoxelMap& map = loaded.map();
     const bool finds = arguments.find.isSet();
-    const auto origin =
-        arguments.from.isSet() ? apps::parsePoint("from", arguments.from.getValue()) : map.origin();
+    const auto origin = arguments.from.isSet() ? apps::parsePoint(arguments.from) : map.origin();
     const auto found =
-        finds ? findInstances(map, arguments.find.getValue(), origin) : listInstances(map);
-    if (found.empty() && finds) arguments.note(foundInstead(loaded, arguments.find.getValue()));
+        finds ? findInstances(map, arguments.find.value(), origin) : listInstances(map);
+    if (found.empty() && finds) arguments.note(foundInstead(loaded, arguments.find.value()));
     if (arguments.json.isSet()) return asJson(map, found);
     return found.empty() ? "" : asText(found, finds, map.options().prior_strength > 0);
 }
 
 std::string place(Arguments& arguments, const SemanticVoxelMap& map)
 {
-    const PlaceAnswer answer = askPlace(map, apps::parsePoint("at", arguments.at.getValue()));
+    const PlaceAnswer answer = askPlace(map, apps::parsePoint(arguments.at));
     return arguments.json.isSet() ? asJson(answer) : asText(answer);
 }
 
 std::string reobservation(Arguments& arguments, const SemanticVoxelMap& map)
 {
     CarriedCamera camera;
-    camera.height = arguments.cameraHeight.getValue();
-    const GravityAlignedFrame frame(arguments.up.isSet()
-                                        ? apps::parseDirection("up", arguments.up.getValue())
-                                        : estimateUp(map));
-    const auto targets = planReobservation(map, frame, camera, arguments.most.getValue());
+    camera.height = arguments.cameraHeight.value();
+    const GravityAlignedFrame frame(arguments.up.isSet() ? apps::parseDirection(arguments.up)
+                                                         : estimateUp(map));
+    const auto targets = planReobservation(map, frame, camera, arguments.most.value());
     return arguments.json.isSet() ? asJson(targets) : asText(targets);
 }
 
 std::string explanation(Arguments& arguments, const SemanticVoxelMap& map)
 {
-    const instance_id_t wanted = arguments.explain.getValue(), id = map.resolve(wanted);
+    const instance_id_t wanted = arguments.explain.value(), id = map.resolve(wanted);
     if (id == UNKNOWN_INSTANCE)
         throw ConfigurationError("--explain: there is no object " + std::to_string(wanted) +
                                  " in this map: see --instances");
@@ -184,9 +160,9 @@ int run(int argc, char** argv)
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
     check(arguments);
-    const auto loaded = loadMap(arguments.map.getValue());
+    const auto loaded = loadMap(arguments.map.value());
     if (arguments.minVoxels.isSet())
-        deactivateSmallInstances(loaded->editMap(), arguments.minVoxels.getValue());
+        deactivateSmallInstances(loaded->editMap(), arguments.minVoxels.value());
     std::cout << answer(arguments, *loaded);
     return 0;
 }

@@ -2,6 +2,8 @@
 /** Writes a page that shows a map. */
 #include "common/CommandLine.h"
 #include "common/PointArgument.h"
+#include "common/checkOutputs.h"
+#include "common/runProgram.h"
 #include "evaluation/EvaluationReport.h"
 #include "pipeline/TimingLog.h"
 #include "report/MapReport.h"
@@ -36,38 +38,23 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
-    TCLAP::ValueArg<std::string> three{
-        "",      "three",      std::string("Folder of three.js (default: ") + THREE_FOLDER + ")",
-        false,   THREE_FOLDER, "DIR",
-        parser()};
-    TCLAP::ValueArg<std::string> up{
-        "",      "up", "Direction of up in the map's frame (default: estimated, +z if in doubt)",
-        false,   "",   "X,Y,Z",
-        parser()};
-    TCLAP::ValueArg<uint32_t> minVoxels{
-        "",  "min-voxels", "Take instances of fewer occupied voxels for unknown", false, 0,
-        "N", parser()};
-    TCLAP::ValueArg<std::string> labels{
-        "",
-        "labels",
-        "CSV file (header name,class) of the categories that --gt is about (default: the nine"
-        " classes of the paper)",
-        false,
-        "",
-        "FILE",
-        parser()};
-    TCLAP::ValueArg<std::string> format{
-        "", "format", "Format of --gt (default: ply)", false, "ply", "NAME", parser()};
-    TCLAP::ValueArg<std::string> truth{
-        "", "gt", "Ground truth, to say how good the map is", false, "", "DIR", parser()};
-    TCLAP::ValueArg<std::string> timing{
-        "",         "timing", "Times per stage, as written by rawlog2voxeland --timing", false, "",
-        "FILE.csv", parser()};
-    TCLAP::ValueArg<std::string> title{
-        "", "title", "Title (default: the map's file name)", false, "", "TEXT", parser()};
-    TCLAP::ValueArg<std::string> output{"o", "output",    "Page to write", true,
-                                        "",  "FILE.html", parser()};
-    TCLAP::ValueArg<std::string> map{"m", "map", "Map to read", true, "", "MAP.voxeland", parser()};
+    apps::Text three{*this, "--three", "DIR",
+                     std::string("Folder of three.js (default: ") + THREE_FOLDER + ")",
+                     THREE_FOLDER};
+    apps::Text up{*this, "--up", "X,Y,Z",
+                  "Direction of up in the map's frame (default: estimated, +z if in doubt)"};
+    apps::Number<uint32_t> minVoxels{*this, "--min-voxels", "N",
+                                     "Take instances of fewer occupied voxels for unknown", 0};
+    apps::Text labels{*this, "--labels", "FILE",
+                      "CSV file (header name,class) of the categories that --gt is about (default: "
+                      "the nine classes of the paper)"};
+    apps::Text format{*this, "--format", "NAME", "Format of --gt (default: ply)", "ply"};
+    apps::Text truth{*this, "--gt", "DIR", "Ground truth, to say how good the map is"};
+    apps::Text timing{*this, "--timing", "FILE.csv",
+                      "Times per stage, as written by rawlog2voxeland --timing"};
+    apps::Text title{*this, "--title", "TEXT", "Title (default: the map's file name)"};
+    apps::Text output{*this, "-o,--output", "FILE.html", "Page to write", apps::Presence::required};
+    apps::Text map{*this, "-m,--map", "MAP.voxeland", "Map to read", apps::Presence::required};
 };
 
 /** The figures of voxeland-eval. */
@@ -75,14 +62,12 @@ std::string evaluationOf(Arguments& arguments, const SemanticVoxelMap& map)
 {
     if (!arguments.truth.isSet()) return {};
     const EvaluationProtocol protocol;
-    const LabelMap classes = arguments.labels.isSet()
-                                 ? LabelMap::fromFile(arguments.labels.getValue())
-                                 : LabelMap::paper9();
-    const std::string name = std::filesystem::path(arguments.map.getValue()).stem().string();
-    const GroundTruth truth =
-        readGroundTruth(arguments.truth.getValue(), arguments.format.getValue());
+    const LabelMap classes = arguments.labels.isSet() ? LabelMap::fromFile(arguments.labels.value())
+                                                      : LabelMap::paper9();
+    const std::string name = std::filesystem::path(arguments.map.value()).stem().string();
+    const GroundTruth truth = readGroundTruth(arguments.truth.value(), arguments.format.value());
     EvaluationReport report(classes, protocol);
-    report.add({arguments.map.getValue(), arguments.truth.getValue(),
+    report.add({arguments.map.value(), arguments.truth.value(),
                 matchRadius(protocol, map.resolution()), toString(map.options().entropy)},
                compare(map, truth, classes, protocol, name));
     return report.text();
@@ -92,7 +77,7 @@ std::string timingOf(Arguments& arguments)
 {
     if (!arguments.timing.isSet()) return {};
     std::ostringstream text;
-    TimingLog::fromCsv(arguments.timing.getValue()).printSummary(text);
+    TimingLog::fromCsv(arguments.timing.value()).printSummary(text);
     return text.str();
 }
 
@@ -100,21 +85,21 @@ int run(int argc, char** argv)
 {
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
-    const std::string& output = arguments.output.getValue();
-    apps::checkOutputs({output}, {arguments.map.getValue(), arguments.timing.getValue(),
-                                  arguments.labels.getValue()});
-    const ThreeLibrary three = ThreeLibrary::fromFolder(arguments.three.getValue());
+    const std::string& output = arguments.output.value();
+    apps::checkOutputs({output},
+                       {arguments.map.value(), arguments.timing.value(), arguments.labels.value()});
+    const ThreeLibrary three = ThreeLibrary::fromFolder(arguments.three.value());
     ReportOptions options;
-    if (arguments.up.isSet()) options.up = apps::parseDirection("up", arguments.up.getValue());
+    if (arguments.up.isSet()) options.up = apps::parseDirection(arguments.up);
     options.title = arguments.title.isSet()
-                        ? arguments.title.getValue()
-                        : std::filesystem::path(arguments.map.getValue()).stem().string();
+                        ? arguments.title.value()
+                        : std::filesystem::path(arguments.map.value()).stem().string();
     options.timing = timingOf(arguments);
 
-    const auto loaded = loadMap(arguments.map.getValue());
+    const auto loaded = loadMap(arguments.map.value());
     options.evaluation = evaluationOf(arguments, loaded->map());
     SemanticVoxelMap map = loaded->map();
-    if (arguments.minVoxels.isSet()) deactivateSmallInstances(map, arguments.minVoxels.getValue());
+    if (arguments.minVoxels.isSet()) deactivateSmallInstances(map, arguments.minVoxels.value());
     const std::string page = reportAsHtml(map, loaded->counts(), options, three);
     writeAtomically(output, [&](std::ostream& out) { out << page; });
     std::cout << "written: " << printable(output, UNCUT) << "\n";

@@ -3,6 +3,7 @@
 #include "RawlogEntries.h"
 #include "common/CommandLine.h"
 #include "common/TrustPathsArgument.h"
+#include "common/runProgram.h"
 #include "plugins/PluginLoader.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/files/InputFile.h"
@@ -118,9 +119,9 @@ void checkMaps(const std::string& ini)
 /** This program's own command line. */
 struct Arguments : apps::CommandLine
 {
-    Arguments() : CommandLine(DESCRIPTION) {}
+    Arguments() : CommandLine(DESCRIPTION, Rest::command) {}
 
-    apps::TrustPathsArgument trustPaths{parser()};
+    apps::TrustPathsArgument trustPaths{*this};
 };
 
 /** What MRPT's applications say of an INI for programmers, in words for users; empty if it is
@@ -182,25 +183,13 @@ int runApplication(Application& application, Arguments& options, int count, char
                              "mrpt-apps");
 }
 
-/** Number of the first argument that is not an option of this program, or the value of one. */
-int beginOfCommand(int argc, char** argv)
-{
-    int i = 1;
-    while (i < argc && argv[i][0] == '-') {
-        const std::string option = argv[i++];
-        if (option == "-v" || option == "--verbosity") ++i;
-    }
-    return std::min(i, argc);
-}
-
 int run(int argc, char** argv)
 {
-    const int begin = beginOfCommand(argc, argv);
     Arguments options;
-    if (!options.parse(begin, argv)) return 0;
-    if (begin == argc) throw ConfigurationError("name a program of MRPT to run (see --help)");
-    const int count = argc - begin;
-    char** const command = argv + begin;
+    if (!options.parse(argc, argv)) return 0;
+    const auto count = static_cast<int>(options.wordsOfCommand());
+    if (count == 0) throw ConfigurationError("name a program of MRPT to run (see --help)");
+    char** const command = argv + argc - count;
     const std::string name = command[0];
     if (name == "icp-slam") {
         WithVoxeland<mrpt::apps::ICP_SLAM_App_Rawlog> application;

@@ -5,6 +5,7 @@
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "common/TrustPathsArgument.h"
+#include "common/runProgram.h"
 #include "datasets/RawlogPredictions.h"
 #include "datasets/UnfinishedPredictions.h"
 #include "rawlogs/ImagePaths.h"
@@ -43,37 +44,22 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
-    TCLAP::ValueArg<std::string> label{"",
-                                       "sensor-label",
-                                       "Which sensor's RGB-D frames, where there are several's",
-                                       false,
-                                       "",
-                                       "LABEL",
-                                       parser()};
-    TCLAP::SwitchArg embed{"", "embed", "Put the predictions into the rawlog", parser()};
-    apps::TrustPathsArgument trustPaths{parser()};
-    TCLAP::SwitchArg strict{"", "strict",
-                            "What is odd is an error, instead of left out and counted", parser()};
-    apps::SetArgument set{"network's INI", parser()};
-    TCLAP::ValueArg<std::string> categories{
-        "",
-        "categories",
-        "Names of the categories the predictions give numbers of: JSON as COCO has, CSV lines "
-        "'id,name', names alone, or data.yaml (default: COCO's)",
-        false,
-        "",
-        "FILE",
-        parser()};
-    TCLAP::ValueArg<std::string> dnn{
-        "",      "dnn", "Configuration whose [converter] is a network to make the predictions with",
-        false,   "",    "FILE.ini",
-        parser()};
-    TCLAP::ValueArg<std::string> coco{
-        "", "coco", "Predictions in the COCO results format", false, "", "RESULTS.json", parser()};
-    TCLAP::ValueArg<std::string> output{
-        "o", "output", "Rawlog to write; may be the input", true, "", "OUT.rawlog", parser()};
-    TCLAP::ValueArg<std::string> input{"i", "input",     "Rawlog to read", true,
-                                       "",  "IN.rawlog", parser()};
+    apps::Text label{*this, "--sensor-label", "LABEL",
+                     "Which sensor's RGB-D frames, where there are several's"};
+    apps::Switch embed{*this, "--embed", "Put the predictions into the rawlog"};
+    apps::TrustPathsArgument trustPaths{*this};
+    apps::Switch strict{*this, "--strict",
+                        "What is odd is an error, instead of left out and counted"};
+    apps::SetArgument set{*this, "network's INI"};
+    apps::Text categories{*this, "--categories", "FILE",
+                          "Names of the categories the predictions give numbers of: JSON as COCO "
+                          "has, CSV lines 'id,name', names alone, or data.yaml (default: COCO's)"};
+    apps::Text dnn{*this, "--dnn", "FILE.ini",
+                   "Configuration whose [converter] is a network to make the predictions with"};
+    apps::Text coco{*this, "--coco", "RESULTS.json", "Predictions in the COCO results format"};
+    apps::Text output{*this, "-o,--output", "OUT.rawlog", "Rawlog to write; may be the input",
+                      apps::Presence::required};
+    apps::Text input{*this, "-i,--input", "IN.rawlog", "Rawlog to read", apps::Presence::required};
 };
 
 void check(const Arguments& arguments)
@@ -105,12 +91,12 @@ struct Network
 /** The converter of the INI, which must be one that makes predictions. */
 Network networkOf(Arguments& arguments)
 {
-    Ini ini = Ini::fromFile(arguments.dnn.getValue());
+    Ini ini = Ini::fromFile(arguments.dnn.value());
     arguments.set.applyTo(ini);
     const MapperConfig config(ini);
     const auto& converter = config.converter;
     if (!converter->makesPredictions())
-        throw ConfigurationError("[converter] of '" + arguments.dnn.getValue() +
+        throw ConfigurationError("[converter] of '" + arguments.dnn.value() +
                                  "' makes no predictions: name a class that does, such as "
                                  "CDnnConverter");
     return {converter, config.reproducibleText() + stateOf(ini.value("converter", "model"))};
@@ -122,7 +108,7 @@ using ProgressOfFrames = std::function<void(size_t frames, double share)>;
 AddedPredictions addSeen(Arguments& arguments, const AddPredictionsOptions& options,
                          const ProgressOfFrames& progress)
 {
-    const std::string &in = arguments.input.getValue(), &out = arguments.output.getValue();
+    const std::string &in = arguments.input.value(), &out = arguments.output.value();
     const Network network = networkOf(arguments);
     UnfinishedPredictions kept(RawlogFiles(out).sidecar.string() + ".unfinished",
                                network.origin + stateOf(in) + options.sensorLabel);
@@ -160,14 +146,14 @@ AddedPredictions add(Arguments& arguments)
 {
     AddPredictionsOptions options;
     options.embed = arguments.embed.isSet();
-    options.sensorLabel = arguments.label.getValue();
-    const std::string &in = arguments.input.getValue(), &out = arguments.output.getValue();
+    options.sensorLabel = arguments.label.value();
+    const std::string &in = arguments.input.value(), &out = arguments.output.value();
     apps::Progress bar("frames", 0, !arguments.quiet());
     const auto progress = [&](size_t frames, double share) { bar.update(frames, share); };
     if (arguments.coco.isSet()) {
-        const CocoPredictions recorded(arguments.coco.getValue(),
+        const CocoPredictions recorded(arguments.coco.value(),
                                        arguments.categories.isSet()
-                                           ? readCategoryNames(arguments.categories.getValue())
+                                           ? readCategoryNames(arguments.categories.value())
                                            : CategoryNames(),
                                        arguments.strict.isSet());
         MatchedPredictions matched(recorded, rgbdFramesOf(in, options.sensorLabel));
@@ -181,7 +167,7 @@ AddedPredictions add(Arguments& arguments)
 
 void printSummary(const AddedPredictions& added, Arguments& arguments)
 {
-    const RawlogFiles files(arguments.output.getValue());
+    const RawlogFiles files(arguments.output.value());
     std::cout << "frames: " << added.frames << "\npredictions: " << added.predictions;
     std::cout << "\n";
     if (added.replaced > 0)
@@ -192,7 +178,7 @@ void printSummary(const AddedPredictions& added, Arguments& arguments)
         std::cout << "written: " << printable(files.sidecar.string(), UNCUT) << "\n";
     if (added.imagesLinked)
         std::cout << "linked: " << printable(files.images.string(), UNCUT) << ", to the images of "
-                  << printable(arguments.input.getValue(), UNCUT) << "\n";
+                  << printable(arguments.input.value(), UNCUT) << "\n";
 }
 
 int run(int argc, char** argv)

@@ -4,6 +4,7 @@
 #include "common/PointArgument.h"
 #include "common/Progress.h"
 #include "common/TrustPathsArgument.h"
+#include "common/runProgram.h"
 #include "datasets/CalibrationCheck.h"
 #include "datasets/DatasetImport.h"
 #include "rawlogs/RawlogFiles.h"
@@ -53,100 +54,60 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
-    TCLAP::ValueArg<int64_t> last{"",
-                                  "to",
-                                  "Last frame to take, by number (default: the last)",
-                                  false,
-                                  std::numeric_limits<int64_t>::max(),
-                                  "N",
-                                  parser()};
-    TCLAP::ValueArg<int64_t> first{
-        "", "from", "First frame to take, by number (default: 0)", false, 0, "N", parser()};
-    TCLAP::ValueArg<size_t> every{
-        "", "every", "Take every so-manieth frame only (default: 1)", false, 1, "N", parser()};
-    apps::TrustPathsArgument trustPaths{parser()};
-    TCLAP::SwitchArg strict{
-        "", "strict",
-        "Frames that cannot be used, odd predictions and odd lines of lists are errors", parser()};
-    TCLAP::ValueArg<std::string> poseAxes{
-        "",
-        "pose-axes",
+    apps::Number<int64_t> last{*this, "--to", "N",
+                               "Last frame to take, by number (default: the last)",
+                               std::numeric_limits<int64_t>::max()};
+    apps::Number<int64_t> first{*this, "--from", "N", "First frame to take, by number (default: 0)",
+                                0};
+    apps::Number<size_t> every{*this, "--every", "N",
+                               "Take every so-manieth frame only (default: 1)", 1};
+    apps::TrustPathsArgument trustPaths{*this};
+    apps::Switch strict{
+        *this, "--strict",
+        "Frames that cannot be used, odd predictions and odd lines of lists are errors"};
+    apps::Text poseAxes{
+        *this, "--pose-axes", "AXES",
         "Axes of the camera that the dataset's poses are of: optical (x right, y down, z forward; "
         "default), opengl (x right, y up, z backward), body (x forward, y left, z up)",
-        false,
-        "optical",
-        "AXES",
-        parser()};
-    TCLAP::SwitchArg invertPoses{"", "invert-poses",
-                                 "The dataset's poses are world-to-camera transforms", parser()};
-    TCLAP::ValueArg<double> depthScale{
-        "",
-        "depth-scale",
-        "Numbers in the depth images that make a metre (default: the format's)",
-        false,
-        0,
-        "N",
-        parser()};
-    TCLAP::ValueArg<std::string> intrinsics{
-        "",
-        "intrinsics",
-        "Camera of the depth images, and of colour images registered to them [pixels] (default: "
-        "the dataset's)",
-        false,
-        "",
-        "FX,FY,CX,CY",
-        parser()};
-    TCLAP::ValueArg<std::string> colourIntrinsics{
-        "",
-        "color-intrinsics",
-        "Camera of the colour images, which then need not be registered to the depth images "
-        "[pixels] (default: the dataset's)",
-        false,
-        "",
-        "FX,FY,CX,CY",
-        parser()};
-    TCLAP::SwitchArg check{
-        "", "check", "Tell whether depth scale, intrinsics and poses hold together; write nothing",
-        parser()};
-    TCLAP::ValueArg<std::string> images{
-        "",      "images", "Where images go: external (default), embedded", false, "external",
-        "WHERE", parser()};
-    TCLAP::SwitchArg embed{"", "embed", "Put the predictions into the rawlog", parser()};
-    TCLAP::ValueArg<std::string> categories{
-        "",
-        "categories",
-        "Names of the categories the predictions give numbers of: JSON as COCO has, CSV lines "
-        "'id,name', names alone, or data.yaml (default: COCO's)",
-        false,
-        "",
-        "FILE",
-        parser()};
-    TCLAP::ValueArg<std::string> predictions{
-        "",
-        "predictions",
+        "optical"};
+    apps::Switch invertPoses{*this, "--invert-poses",
+                             "The dataset's poses are world-to-camera transforms"};
+    apps::Number<double> depthScale{
+        *this, "--depth-scale", "N",
+        "Numbers in the depth images that make a metre (default: the format's)", 0};
+    apps::Text intrinsics{*this, "--intrinsics", "FX,FY,CX,CY",
+                          "Camera of the depth images, and of colour images registered to them "
+                          "[pixels] (default: the dataset's)"};
+    apps::Text colourIntrinsics{*this, "--color-intrinsics", "FX,FY,CX,CY",
+                                "Camera of the colour images, which then need not be registered to "
+                                "the depth images [pixels] (default: the dataset's)"};
+    apps::Switch check{
+        *this, "--check",
+        "Tell whether depth scale, intrinsics and poses hold together; write nothing"};
+    apps::Text images{*this, "--images", "WHERE", "Where images go: external (default), embedded",
+                      "external"};
+    apps::Switch embed{*this, "--embed", "Put the predictions into the rawlog"};
+    apps::Text categories{*this, "--categories", "FILE",
+                          "Names of the categories the predictions give numbers of: JSON as COCO "
+                          "has, CSV lines 'id,name', names alone, or data.yaml (default: COCO's)"};
+    apps::Text predictions{
+        *this, "--predictions", "FILE.json|gt",
         "A detector's predictions in the COCO results format; image_id is the frame's number, or "
-        "the "
-        "name of its image, or of an image the file lists; or gt: the dataset's own annotation, "
-        "with its objects as tracks (scannet, scenenn)",
-        false,
-        "",
-        "FILE.json|gt",
-        parser()};
-    TCLAP::ValueArg<std::string> output{"o", "output",      "Rawlog to write", false,
-                                        "",  "FILE.rawlog", parser()};
-    TCLAP::ValueArg<std::string> input{
-        "i",   "input", "Folder of the dataset (scannet: or a .sens file)", true, "",
-        "DIR", parser()};
-    TCLAP::ValueArg<std::string> format{
-        "f",    "format", "Format of the dataset: " + joined(datasetFormats(), ", "), true, "",
-        "NAME", parser()};
+        "the name of its image, or of an image the file lists; or gt: the dataset's own "
+        "annotation, with its objects as tracks (scannet, scenenn)"};
+    apps::Text output{*this, "-o,--output", "FILE.rawlog", "Rawlog to write"};
+    apps::Text input{*this, "-i,--input", "DIR", "Folder of the dataset (scannet: or a .sens file)",
+                     apps::Presence::required};
+    apps::Text format{*this, "-f,--format", "NAME",
+                      "Format of the dataset: " + joined(datasetFormats(), ", "),
+                      apps::Presence::required};
 
-    bool wantsAnnotation() { return predictions.getValue() == "gt"; }
+    bool wantsAnnotation() { return predictions.value() == "gt"; }
 };
 
 void checkArguments(Arguments& arguments)
 {
-    const std::string& images = arguments.images.getValue();
+    const std::string& images = arguments.images.value();
     if (images != "external" && images != "embedded")
         throw ConfigurationError("--images must be external or embedded, not " + images);
     if (arguments.output.isSet() == arguments.check.isSet())
@@ -155,17 +116,17 @@ void checkArguments(Arguments& arguments)
         (!arguments.predictions.isSet() || arguments.wantsAnnotation()))
         throw ConfigurationError("--categories needs --predictions with a file");
     if (arguments.depthScale.isSet() &&
-        !(arguments.depthScale.getValue() > 0 && std::isfinite(arguments.depthScale.getValue())))
+        !(arguments.depthScale.value() > 0 && std::isfinite(arguments.depthScale.value())))
         throw ConfigurationError("--depth-scale must be positive");
 }
 
 /** The camera that an option gives, if it is set. */
-std::optional<PinholeCamera> intrinsicsOf(TCLAP::ValueArg<std::string>& option)
+std::optional<PinholeCamera> intrinsicsOf(const apps::Text& option)
 {
     if (!option.isSet()) return std::nullopt;
-    const auto numbers = apps::numbersIn(option.getValue(), 4);
+    const auto numbers = apps::numbersIn(option.value(), 4);
     if (numbers.empty() || !(numbers[0] > 0) || !(numbers[1] > 0))
-        throw ConfigurationError("--" + option.getName() + " '" + option.getValue() +
+        throw ConfigurationError(option.name() + " '" + option.value() +
                                  "' is not four numbers like 525,525,319.5,239.5");
     return PinholeCamera{numbers[0], numbers[1], numbers[2], numbers[3], {}};
 }
@@ -175,15 +136,14 @@ std::unique_ptr<RgbdDatasetReader> open(Arguments& arguments)
     DatasetOptions options;
     options.annotation = arguments.wantsAnnotation() && !arguments.check.isSet();
     options.invertPoses = arguments.invertPoses.isSet();
-    options.poseAxes = poseAxesNamed(arguments.poseAxes.getValue(), "--pose-axes");
-    if (arguments.depthScale.isSet()) options.depthScale = arguments.depthScale.getValue();
+    options.poseAxes = poseAxesNamed(arguments.poseAxes.value(), "--pose-axes");
+    if (arguments.depthScale.isSet()) options.depthScale = arguments.depthScale.value();
     options.camera = intrinsicsOf(arguments.intrinsics);
     options.colourCamera = intrinsicsOf(arguments.colourIntrinsics);
     options.strict = arguments.strict.isSet();
     options.trustPaths = arguments.trustPaths.isSet();
-    auto dataset = openDataset(arguments.format.getValue(), arguments.input.getValue(), options);
-    dataset->select(arguments.first.getValue(), arguments.last.getValue(),
-                    arguments.every.getValue());
+    auto dataset = openDataset(arguments.format.value(), arguments.input.value(), options);
+    dataset->select(arguments.first.value(), arguments.last.value(), arguments.every.value());
     return dataset;
 }
 
@@ -241,22 +201,22 @@ std::optional<CocoPredictions> readPredictions(Arguments& arguments)
 {
     if (!arguments.predictions.isSet() || arguments.wantsAnnotation()) return std::nullopt;
     CategoryNames names;
-    if (arguments.categories.isSet()) names = readCategoryNames(arguments.categories.getValue());
-    return CocoPredictions(arguments.predictions.getValue(), names, arguments.strict.isSet());
+    if (arguments.categories.isSet()) names = readCategoryNames(arguments.categories.value());
+    return CocoPredictions(arguments.predictions.value(), names, arguments.strict.isSet());
 }
 
 RgbdRawlogWriter::Options writerOptions(Arguments& arguments, const RgbdDatasetReader& dataset)
 {
     RgbdRawlogWriter::Options options;
     options.embedInstances = arguments.embed.isSet();
-    options.embedImages = arguments.images.getValue() == "embedded";
+    options.embedImages = arguments.images.value() == "embedded";
     options.comment = "Made by rgbd2rawlog from " + dataset.name();
     return options;
 }
 
 int makeRawlog(Arguments& arguments)
 {
-    const std::string& output = arguments.output.getValue();
+    const std::string& output = arguments.output.value();
     const auto dataset = open(arguments);
     const auto recorded = readPredictions(arguments);
     std::optional<MatchedPredictions> predictions;

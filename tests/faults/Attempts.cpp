@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Attempts.h"
 
-#include "common/CommandLine.h"
+#include "common/runProgram.h"
 
 #include <algorithm>
 #include <csignal>

@@ -11,7 +11,7 @@ MEMORY = 6 * 2**30  # [bytes], of addresses
 SENTENCE = 300  # [characters]
 CODES = range(6)  # as the programs' --help has them
 JARGON = ["[json.exception", "filesystem error", "terminate called", "OpenCV(", "libpng ", "JPEG data", "stod",
-          "std::", "autofixing", "bad_alloc", "MRPT_", "what():", "cURL", "TCLAP", "AddressSanitizer"]
+          "std::", "autofixing", "bad_alloc", "MRPT_", "what():", "cURL", "CLI::", "AddressSanitizer"]
 
 
 @dataclass
