@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// CLI11's header is half of what a program takes to compile: CommandLine.cpp alone includes it.
+// CLI11's header takes longer to compile than a whole program: CommandLine.cpp alone includes it.
 namespace CLI
 {
 class App;
