@@ -4,14 +4,6 @@
 #include "Attempts.h"
 #include "disambiguation/AnswerJournal.h"
 #include "disambiguation/Revision.h"
-#include "exporters/GlbFile.h"
-#include "exporters/GridFiles.h"
-#include "exporters/InstancesCsv.h"
-#include "exporters/InstancesJson.h"
-#include "exporters/MapPly.h"
-#include "exporters/MapScene.h"
-#include "exporters/OctoMapFile.h"
-#include "exporters/PointsFile.h"
 #include "pictures/MapViews.h"
 #include "rawlogs/StagedRawlog.h"
 #include "support/RunProgram.h"
@@ -19,6 +11,7 @@
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
 #include "voxeland/datasets/RgbdDatasetReader.h"
+#include "voxeland/exporters/Exporter.h"
 #include "voxeland/level/UpDirection.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
@@ -262,19 +255,15 @@ class FailingExports : public FailingCalls
 
     void exportAllFormats(const SemanticVoxelMap& map) const
     {
-        const GravityAlignedFrame frame(estimateUp(map));
-        const auto file = [&](const char* name) { return m_outputs.file(name); };
-        exportPly(map, file("a.ply"));
-        exportJson(map, frame, file("a.json"));
-        exportCsv(map, frame, file("a.csv"));
-        exportGlb(map, frame, file("a.glb"));
-        exportScene(map, frame, file("a.3Dscene"));
-        exportOctoMap(map, file("a.bt"));
+        ExportSettings settings;
+        settings.frame = GravityAlignedFrame(estimateUp(map));
+        settings.heights = HeightRange{-1, 3};
         WrittenFiles written;
-        const HeightSlice slice = sliceOf(map, frame, {-1, 3});
-        exportGridmap(slice, file("a.gridmap"));
-        exportRosMap(slice, file("a.yaml"), written);
-        exportPoints(map, {}, file("a.txt"));
+        for (const Exporter& e : exporters())
+            if (e.name != "png-dir")  // which takes longer than all others
+                e.write(map, settings,
+                        m_outputs.file(e.name + (e.endings.empty() ? "" : e.endings.front())),
+                        written);
     }
 };
 

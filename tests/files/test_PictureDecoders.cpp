@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** What OpenCV makes of damaged pictures where this library is loaded. */
 #include "files/PictureDecoders.h"
+#include "voxeland/base/RefusedMemory.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/img/CImage.h>
+#include <mrpt/io/CMemoryStream.h>
 #include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
 
 using namespace voxeland;
 
@@ -44,4 +49,23 @@ TEST(PictureDecoders, printNothing)
     EXPECT_EQ(printedBy(encoded(".png")), "");
     EXPECT_EQ(printedBy(encoded(".jpg")), "");
     EXPECT_GT(damagedPictures(), before);
+}
+
+TEST(PictureDecoders, APictureThatPromisesMorePixelsThanAnyFrameHasIsDamagedAndNoLackOfMemory)
+{
+    std::vector<uint8_t> bytes = encoded(".jpg");
+    const std::vector<uint8_t> frameHeader = {0xFF, 0xC0};
+    const auto header =
+        std::search(bytes.begin(), bytes.end(), frameHeader.begin(), frameHeader.end());
+    ASSERT_LT(header + 9, bytes.end());
+    for (int i = 5; i < 9; ++i) header[i] = 0xFF;  // height and width: 65535
+
+    RefusedMemory::watch();
+    const uint64_t before = damagedPictures();
+    mrpt::io::CMemoryStream stream(bytes.data(), bytes.size());
+    mrpt::img::CImage image;
+    image.loadFromStreamAsJPEG(stream);
+    EXPECT_TRUE(image.isEmpty());
+    EXPECT_EQ(damagedPictures(), before + 1);
+    EXPECT_FALSE(RefusedMemory::isNoted());
 }

@@ -16,7 +16,7 @@ using namespace voxeland;
 /** When this fails: count VOXELAND_PLUGIN_ABI up, and write the new sizes here. */
 TEST(PluginAbi, IsCountedUpWhenALayoutChanges)
 {
-#if defined(__x86_64__) && defined(_GLIBCXX_USE_CXX11_ABI) && !defined(_GLIBCXX_DEBUG)
+#if defined(__x86_64__) && _GLIBCXX_USE_CXX11_ABI && !defined(_GLIBCXX_DEBUG)
     EXPECT_STREQ(AS_TEXT(VOXELAND_PLUGIN_ABI), "abi_3");
     EXPECT_EQ(sizeof(OptionList), 72U);
     EXPECT_EQ(sizeof(Opinion), 88U);

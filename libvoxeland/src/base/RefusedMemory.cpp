@@ -10,21 +10,31 @@
 #include <exception>
 #include <new>
 
-/** MRPT's matrices go on with what this returns without looking at it, so that the program would
- *  crash. Another definition than the C library's, which is found first; it must not throw. */
+namespace
+{
+std::atomic<bool> watched{false}, refused{false};
+}  // namespace
+
+/** MRPT's matrices go on with what this returns without looking at it, so that a program would
+ *  crash: one that watches ends instead, by its terminate handler. Another definition than the C
+ *  library's, which is found first; it must not throw. */
 extern "C" void* aligned_alloc(size_t alignment, size_t size) noexcept
 {
     void* memory = nullptr;
-    if (posix_memalign(&memory, std::max(alignment, sizeof(void*)), size) == 0) return memory;
-    voxeland::RefusedMemory::note();
-    std::terminate();
+    const int error = posix_memalign(&memory, std::max(alignment, sizeof(void*)), size);
+    if (error == 0) return memory;
+    errno = error;
+    if (watched && error == ENOMEM) {
+        voxeland::RefusedMemory::note();
+        std::terminate();
+    }
+    return nullptr;
 }
 
 namespace voxeland
 {
 namespace
 {
-std::atomic<bool> refused{false};
 
 int noteOpenCVError(int status, const char*, const char*, const char*, int, void*)
 {
@@ -35,6 +45,7 @@ int noteOpenCVError(int status, const char*, const char*, const char*, int, void
 
 void RefusedMemory::watch()
 {
+    watched = true;
     std::set_new_handler([] {
         note();
         throw std::bad_alloc();
@@ -44,7 +55,7 @@ void RefusedMemory::watch()
 
 void RefusedMemory::note() noexcept
 {
-    refused = true;
+    if (watched) refused = true;
 }
 
 void RefusedMemory::noteErrno() noexcept
@@ -57,9 +68,9 @@ bool RefusedMemory::isNoted() noexcept
     return refused;
 }
 
-void RefusedMemory::forget() noexcept
+void RefusedMemory::forget(bool wasNoted) noexcept
 {
-    refused = false;
+    refused = wasNoted;
 }
 
 void RefusedMemory::check()

@@ -12,7 +12,9 @@ namespace voxeland
 void checkExportFolder(const std::string& folder)
 {
     makeOutputFolder(folder);
-    checkWritable(folder + "/map.ply");
+    for (const Exporter& exporter : exporters())
+        if (exporter.nameInAll && !exporter.nameInAll->empty())
+            checkWritable(folder + "/" + *exporter.nameInAll);
 }
 
 void exportAll(const SemanticVoxelMap& map, const std::string& folder, WrittenFiles& written)

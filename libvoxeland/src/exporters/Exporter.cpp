@@ -10,11 +10,10 @@
 #include "OctoMapFile.h"
 #include "PicturesFolder.h"
 #include "PointsFile.h"
+#include "base/ClassicNumbers.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/joined.h"
 #include "voxeland/base/lowerCase.h"
-
-#include <mrpt/core/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -54,8 +53,8 @@ HeightRange heightsInFrame(const SemanticVoxelMap& map, const ExportSettings& se
     const HeightRange heights = settings.heights.value_or(otherwise);
     const double floor = floorHeight(map, settings.frame);
     const auto& up = settings.frame.axes()[2];
-    settings.note(mrpt::format("heights are along (%.3f, %.3f, %.3f), from %.2f m", up.x, up.y,
-                               up.z, floor + map.origin().z));
+    settings.note(format("heights are along (%.3f, %.3f, %.3f), from %.2f m", up.x, up.y, up.z,
+                         floor + map.origin().z));
     return {floor + heights.low, floor + heights.high};
 }
 }  // namespace voxeland

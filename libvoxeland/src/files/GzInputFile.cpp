@@ -120,6 +120,7 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
     if (isAtEnd()) return nullptr;
     const std::string where = m_name + " after " + std::to_string(m_position) + " bytes";
     const uint64_t damagedBefore = voxeland::damagedPictures();
+    const bool wasNoted = RefusedMemory::isNoted();
     try {
         const MemoryLimit limit(std::max(LARGEST_OBJECT, LARGEST_RATIO * m_fileSize));
         const auto object = mrpt::serialization::archiveFrom(*this).ReadObject();
@@ -127,7 +128,7 @@ mrpt::serialization::CSerializable::Ptr GzInputFile::readObject()
         updateProgress();
         return object;
     } catch (const std::bad_alloc&) {
-        RefusedMemory::forget();
+        RefusedMemory::forget(wasNoted);
         throw InputError(where +
                          ": an object takes more memory than this program may use: the file is "
                          "damaged, or memory is short: copy it again, or free memory");

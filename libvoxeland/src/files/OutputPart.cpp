@@ -108,11 +108,14 @@ bool OutputPart::create(const std::string& path)
         errno = error;
         return false;
     }
-    if (flock(m_lock, LOCK_EX | LOCK_NB) == 0 && isNamed(m_lock, path)) return true;
+    const int refused = flock(m_lock, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    if (refused == 0 && isNamed(m_lock, path)) return true;
     // Another writer took it for abandoned before it was locked, and removes it.
+    const bool isTaken = refused == 0 || refused == EWOULDBLOCK;
+    if (!isTaken) remove(path);
     close(m_lock);
     m_path.clear();
-    errno = EEXIST;
+    errno = isTaken ? EEXIST : refused;
     return false;
 }
 

@@ -80,6 +80,17 @@ jpeg_error_mgr* jpeg_std_error(jpeg_error_mgr* manager)
     return manager;
 }
 
+boolean jpeg_start_decompress(j_decompress_ptr picture)
+{
+    static const auto standard = original("jpeg_start_decompress", &jpeg_start_decompress);
+    constexpr uint64_t MOST_PIXELS = uint64_t{1} << 27;  // a header may promise 4 thousand million
+    if (uint64_t{picture->image_width} * picture->image_height > MOST_PIXELS) {
+        picture->err->msg_code = JERR_IMAGE_TOO_BIG;
+        picture->err->error_exit(reinterpret_cast<j_common_ptr>(picture));
+    }
+    return standard(picture);
+}
+
 png_structp png_create_read_struct(png_const_charp version, png_voidp errorData,
                                    png_error_ptr onError, png_error_ptr onWarning)
 {

@@ -30,22 +30,26 @@ uint32_t checksumOf(const RecordJournal::Bytes& bytes)
 }
 }  // namespace
 
-RecordJournal::RecordJournal(std::string file, const std::string& title, const std::string& origin)
+RecordJournal::RecordJournal(std::string file)
     : m_file(std::move(file)),
       m_descriptor(open(m_file.c_str(),
                         O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666))
 {
+    if (m_descriptor < 0 && errno != ELOOP && errno != EISDIR && errno != ENXIO)
+        failToWrite(m_file, errno);
+}
+
+RecordJournal::RecordJournal(std::string file, const std::string& title, const std::string& origin)
+    : RecordJournal(std::move(file))
+{
     struct stat status
     {
     };
-    const int error = errno;
     const bool isFile =
         m_descriptor >= 0 && fstat(m_descriptor, &status) == 0 && S_ISREG(status.st_mode);
-    const bool isOther = m_descriptor >= 0 || error == ELOOP || error == EISDIR || error == ENXIO;
-    if (!isFile && isOther)
+    if (!isFile)
         throw OutputError("cannot write " + m_file +
                           ": it is a link, a folder or a device: remove it");
-    if (!isFile) failToWrite(m_file, error);
     if (flock(m_descriptor, LOCK_EX | LOCK_NB) != 0)
         throw OutputError("cannot write " + m_file +
                           ": another run with the same output is at it: wait for its end");

@@ -37,6 +37,9 @@ class RecordJournal
     void discard();
 
  private:
+    /** Opens the file; the destructor closes it, whatever comes. */
+    explicit RecordJournal(std::string file);
+
     void begin(const std::string& title, const std::string& origin);
     void checkRead() const;
     bool isOf(const std::string& title, const std::string& origin);

@@ -73,7 +73,7 @@ VoxelScene::VoxelScene(const SemanticVoxelMap& map, const GravityAlignedFrame& f
     m_min -= cv::Vec3f::all(reach);
     m_max += cv::Vec3f::all(reach);
     m_voxels.clear();
-    addBlocks(map, blocksInBounds(), [&](const VoxelCoord& v, const auto& evidence) {
+    addBlocks(map, blocksInBounds(map), [&](const VoxelCoord& v, const auto& evidence) {
         if (!isInBounds(centerOf(v))) return Found();
         return Found(map.winner(evidence) == instance ? instance : UNKNOWN_INSTANCE);
     });
@@ -110,7 +110,7 @@ void VoxelScene::addBlocks(const SemanticVoxelMap& map, const Coords& blocks, co
     }
 }
 
-std::vector<VoxelCoord> VoxelScene::blocksInBounds() const
+std::vector<VoxelCoord> VoxelScene::blocksInBounds(const SemanticVoxelMap& map) const
 {
     mrpt::math::TBoundingBox box = mrpt::math::TBoundingBox::PlusMinusInfinity();
     for (const float x : {m_min[0], m_max[0]})
@@ -119,7 +119,22 @@ std::vector<VoxelCoord> VoxelScene::blocksInBounds() const
                 box.updateWithPoint(m_frame.toMap({x, y, z}));
     const VoxelCoord first = blockOf(voxelOf(box.min, 1 / m_resolution)),
                      last = blockOf(voxelOf(box.max, 1 / m_resolution));
+    const auto isBetween = [](int32_t low, int32_t n, int32_t high) {
+        return low <= n && n <= high;
+    };
+    const auto edge = [](int32_t low, int32_t high) { return static_cast<double>(high - low) + 1; };
     std::vector<VoxelCoord> blocks;
+    if (edge(first.x, last.x) * edge(first.y, last.y) * edge(first.z, last.z) >
+        static_cast<double>(map.blocks().size()))
+    {
+        for (const uint32_t b : map.blocks().sorted()) {
+            const VoxelCoord& c = map.blocks().coordOf(b);
+            if (isBetween(first.x, c.x, last.x) && isBetween(first.y, c.y, last.y) &&
+                isBetween(first.z, c.z, last.z))
+                blocks.push_back(c);
+        }
+        return blocks;
+    }
     for (int z = first.z; z <= last.z; ++z)
         for (int y = first.y; y <= last.y; ++y)
             for (int x = first.x; x <= last.x; ++x) blocks.push_back({x, y, z});

@@ -55,8 +55,9 @@ class VoxelScene
     [[nodiscard]] float cutHeight(const SemanticVoxelMap& map) const;
     [[nodiscard]] cv::Vec3f centerOf(const VoxelCoord& v) const;
     [[nodiscard]] bool isInBounds(const cv::Vec3f& point) const;
-    /** The blocks of the map around the bounds, in the order of a map's voxels. */
-    [[nodiscard]] std::vector<VoxelCoord> blocksInBounds() const;
+    /** The blocks of a map that the bounds may touch, in the order of its voxels. Cost: the blocks
+     * there, or those of the map where it has fewer. */
+    [[nodiscard]] std::vector<VoxelCoord> blocksInBounds(const SemanticVoxelMap& map) const;
     void add(const SemanticVoxelMap& map, const VoxelCoord& v, const VoxelEvidence& evidence,
              const Shown& shown);
     /** \param blocks of which some may not be in the map */

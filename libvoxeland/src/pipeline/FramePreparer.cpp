@@ -3,6 +3,7 @@
 
 #include "voxeland/observations/UnusableFrame.h"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 

@@ -13,12 +13,13 @@ class RefusedMemory
     /** Has it noted from now on when operator new or OpenCV get none: for programs, as it
      *  replaces std::set_new_handler() and cv::redirectError(). */
     static void watch();
+    /** Of a program that watches; elsewhere nothing is noted, as nobody would look at it. */
     static void note() noexcept;
     /** The same, if that is what errno says after a function of a C library failed. */
     static void noteErrno() noexcept;
     [[nodiscard]] static bool isNoted() noexcept;
-    /** For who expected it, and tells so. */
-    static void forget() noexcept;
+    /** For who expected it, and tells so: back to what isNoted() said before. */
+    static void forget(bool wasNoted = false) noexcept;
     /** \throws std::bad_alloc if any was refused */
     static void check();
 };

@@ -32,9 +32,8 @@ struct Exporter
     /** What its files are named like. A name that ends like those of another exporter is refused.
      */
     std::vector<std::string> endings = {};
-    std::optional<std::string> nameInAll =
-        std::nullopt;                                    //!< in the folder of exportAll(); "" is
-                                                         //!< that folder itself; none: is not there
+    /** Its name in the folder of exportAll(); "" is that folder itself; none: it is not there. */
+    std::optional<std::string> nameInAll = std::nullopt;
     bool takesHeights = false, takesCategories = false;  //!< whether these settings matter
     /** The file it writes beside one of this name, if it does. \throws ConfigurationError for a
      * name that cannot be */
