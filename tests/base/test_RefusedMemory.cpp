@@ -4,6 +4,7 @@
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/math/CMatrixF.h>
 #include <opencv2/core.hpp>
 
 #include <cerrno>
@@ -29,6 +30,7 @@ class RefusedMemoryTest : public testing::Test
 };
 
 constexpr size_t TOO_MUCH = std::numeric_limits<std::ptrdiff_t>::max();
+constexpr size_t MANY_ROWS = size_t{1} << 30;
 }  // namespace
 
 TEST_F(RefusedMemoryTest, IsNotedWhoeverAsksForIt)
@@ -38,6 +40,9 @@ TEST_F(RefusedMemoryTest, IsNotedWhoeverAsksForIt)
     EXPECT_THROW(RefusedMemory::check(), std::bad_alloc);
     RefusedMemory::forget();
     EXPECT_THROW(cv::fastMalloc(TOO_MUCH), cv::Exception);
+    EXPECT_TRUE(RefusedMemory::isNoted());
+    RefusedMemory::forget();
+    EXPECT_THROW(mrpt::math::CMatrixF(MANY_ROWS, MANY_ROWS), std::bad_alloc);
     EXPECT_TRUE(RefusedMemory::isNoted());
 }
 

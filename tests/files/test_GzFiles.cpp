@@ -199,11 +199,12 @@ TEST(GzInputFile, aDamagedPictureEndsNeitherTheProgramNorItsSilence)
     EXPECT_GT(damaged, 10U + empty);
 }
 
-TEST(GzInputFile, whatASizeInAFileSaysIsNotReserved)
+namespace
 {
-    mrpt::obs::CObservation3DRangeScan scan;
-    scan.hasPoints3D = true;
-    scan.resizePoints3DVectors(0x1234);
+/** \param size in the bytes of the scan, to be replaced by one of the same length */
+void expectToTakeTooMuch(const mrpt::obs::CObservation3DRangeScan& scan, const std::string& size,
+                         const std::string& byLarger)
+{
     const TemporaryFolder folder;
     const std::string file = folder.file("a.rawlog");
     {
@@ -218,9 +219,9 @@ TEST(GzInputFile, whatASizeInAFileSaysIsNotReserved)
         ASSERT_TRUE(in.readObject());
         bytes = in.objectBytes();
     }
-    const size_t size = bytes.find(std::string("\x34\x12\0\0", 4));
-    ASSERT_NE(size, std::string::npos);
-    bytes.replace(size, 4, "\xFF\xFF\xFF\x7F");  // 24 GB of points
+    const size_t at = bytes.find(size);
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at, size.size(), byLarger);
     test::writeFile(file, bytes);
     GzInputFile in(file);
     try {
@@ -229,4 +230,19 @@ TEST(GzInputFile, whatASizeInAFileSaysIsNotReserved)
     } catch (const InputError& e) {
         EXPECT_NE(std::string(e.what()).find("more memory than"), std::string::npos) << e.what();
     }
+}
+}  // namespace
+
+TEST(GzInputFile, whatASizeInAFileSaysIsNotReserved)
+{
+    mrpt::obs::CObservation3DRangeScan points;
+    points.hasPoints3D = true;
+    points.resizePoints3DVectors(0x1234);
+    expectToTakeTooMuch(points, {"\x34\x12\0\0", 4}, "\xFF\xFF\xFF\x7F");  // 24 GB
+    mrpt::obs::CObservation3DRangeScan ranges;
+    ranges.hasRangeImage = true;
+    ranges.rangeImage_setSize(3, 0x1234);
+    ranges.rangeImage.fill(0);
+    expectToTakeTooMuch(ranges, {"\3\0\0\0\x34\x12\0\0", 8},
+                        {"\xFF\xFF\xFF\0\x34\x12\0\0", 8});  // 156 GB
 }

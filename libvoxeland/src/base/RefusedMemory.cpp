@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/base/RefusedMemory.h"
 
+#include <mrpt/core/aligned_allocator.h>
 #include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
-#include <exception>
 #include <new>
 
 namespace
@@ -15,20 +15,14 @@ namespace
 std::atomic<bool> watched{false}, refused{false};
 }  // namespace
 
-/** MRPT's matrices go on with what this returns without looking at it, so that a program would
- *  crash: one that watches ends instead, by its terminate handler. Another definition than the C
- *  library's, which is found first; it must not throw. */
-extern "C" void* aligned_alloc(size_t alignment, size_t size) noexcept
+/** MRPT's own returns null, and its matrices go on with that. Another definition than theirs, which
+ *  is found first. */
+void* mrpt::aligned_malloc(size_t size, size_t alignment)
 {
     void* memory = nullptr;
-    const int error = posix_memalign(&memory, std::max(alignment, sizeof(void*)), size);
-    if (error == 0) return memory;
-    errno = error;
-    if (watched && error == ENOMEM) {
-        voxeland::RefusedMemory::note();
-        std::terminate();
-    }
-    return nullptr;
+    if (posix_memalign(&memory, std::max(alignment, sizeof(void*)), size) == 0) return memory;
+    voxeland::RefusedMemory::note();
+    throw std::bad_alloc();
 }
 
 namespace voxeland
