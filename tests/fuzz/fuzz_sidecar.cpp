@@ -15,7 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
         test::writeRawlog(name, test::smallFrames(2));
         return name;
     }();
-    static const MapperConfig config;
+    // One thread: the same coverage each time.
+    static const MapperConfig config(Ini::fromText("[voxeland]\nthreads = 1\n", "fuzz"));
     return fuzz::readOrRefuse([&] {
         file.compressing(data, size);
         CVoxelandMap map(config);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Writes small files of the binary formats, for fuzzers to begin with: `make_seeds FOLDER`. */
+#include "files/GzOutputFile.h"
 #include "plugins/dnn/SmallOnnx.h"
 #include "rawlogs/RawlogFiles.h"
 #include "support/MapBytes.h"
@@ -9,6 +10,9 @@
 #include "voxeland/metric_map/CVoxelandMap.h"
 #include "voxeland/metric_map/MapFile.h"
 #include "voxeland/metric_map/RawlogMapping.h"
+
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CSensoryFrame.h>
 
 #include <zlib.h>
 
@@ -42,6 +46,24 @@ void writeMap(const std::string& rawlog, const std::string& file)
     mapRawlog(source, map, [](const auto&, const StageTimes&) {});
     saveMap(map, file);
 }
+
+/** Keyframes with colours, as cameras of robots have them. */
+void writeSimplemap(const std::string& file)
+{
+    mrpt::maps::CSimpleMap map;
+    for (const SmallFrame& frame : smallFrames(2)) {
+        frame.scan->hasIntensityImage = true;
+        frame.scan->intensityImage = mrpt::img::CImage(COLUMNS, ROWS, mrpt::img::CH_RGB);
+        frame.scan->intensityImage.filledRectangle(0, 0, COLUMNS / 2, ROWS, {200, 100, 50});
+        const auto sensed = mrpt::obs::CSensoryFrame::Create();
+        sensed->insert(frame.scan);
+        sensed->insert(frame.instances);
+        map.insert(mrpt::poses::CPose3DPDFGaussian::Create(frame.pose->pose), sensed);
+    }
+    GzOutputFile out(file);
+    out.writeObject(map);
+    out.close();
+}
 }  // namespace
 
 int main(int argc, char** argv)
@@ -56,6 +78,8 @@ int main(int argc, char** argv)
     write(seeds / "map" / "two_frames", uncompressed(folder.file("seed.voxeland")));
     writeRawlog(rawlog, smallFrames(2), true);
     write(seeds / "rawlog" / "two_frames", uncompressed(rawlog));
+    writeSimplemap(rawlog);
+    write(seeds / "rawlog" / "simplemap", uncompressed(rawlog));
     write(seeds / "sens" / "two_frames",
           ScanNetScene::sensFile({ScanNetScene::sensFrame(0), ScanNetScene::sensFrame(1)}));
     write(seeds / "onnx" / "yolo",
