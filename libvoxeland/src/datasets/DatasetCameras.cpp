@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/datasets/DatasetCameras.h"
 
+#include "base/sizeText.h"
 #include "observations/CameraCheck.h"
 #include "voxeland/base/errors.h"
 
@@ -67,7 +68,7 @@ mrpt::img::TCamera cameraOf(const PinholeCamera& model, const ImageSize& images,
 
 std::string ImageSize::text() const
 {
-    return std::to_string(width) + "x" + std::to_string(height);
+    return sizeText(width, height);
 }
 
 DatasetCameras registeredCameras(const PinholeCamera& camera, double depthScale,

@@ -3,6 +3,7 @@
 
 #include "CocoMasks.h"
 #include "Tolerance.h"
+#include "base/sizeText.h"
 #include "voxeland/base/counted.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/numbers.h"
@@ -14,11 +15,6 @@ namespace voxeland
 {
 namespace
 {
-std::string sizeText(int width, int height)
-{
-    return std::to_string(width) + "x" + std::to_string(height);
-}
-
 std::vector<PredictedImage> describe(const std::vector<CocoPredictions::Image>& images)
 {
     std::vector<PredictedImage> result;

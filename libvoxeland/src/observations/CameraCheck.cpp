@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraCheck.h"
 
-#include "DepthImageCheck.h"
 #include "Projection.h"
+#include "base/sizeText.h"
 #include "voxeland/base/numbers.h"
 
 #include <algorithm>

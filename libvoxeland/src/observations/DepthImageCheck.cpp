@@ -3,6 +3,7 @@
 
 #include "CameraCheck.h"
 #include "MaskCamera.h"
+#include "base/sizeText.h"
 #include "voxeland/base/numbers.h"
 #include "voxeland/observations/UnusableFrame.h"
 

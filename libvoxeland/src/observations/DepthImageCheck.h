@@ -13,13 +13,6 @@ namespace voxeland
 /** What to call a frame in messages. */
 std::string frameName(const mrpt::obs::CObservation& observation);
 
-/** "640x480" */
-template <typename Integer>
-std::string sizeText(Integer columns, Integer rows)
-{
-    return std::to_string(columns) + "x" + std::to_string(rows);
-}
-
 /** \throws UnusableFrame, naming the frame, for scans without a depth image or with invalid
  *  calibration or units */
 void checkDepthImage(const mrpt::obs::CObservation3DRangeScan& scan);

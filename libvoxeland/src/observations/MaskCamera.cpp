@@ -2,6 +2,7 @@
 #include "MaskCamera.h"
 
 #include "DepthImageCheck.h"
+#include "base/sizeText.h"
 #include "voxeland/observations/CObservationInstances.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/observations/RunLengthMask.h"
 
+#include "base/sizeText.h"
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -13,13 +15,12 @@ RunLengthMask::RunLengthMask(int width, int height, std::vector<uint32_t> runs)
 {
     const uint64_t pixels = std::accumulate(m_runs.begin(), m_runs.end(), uint64_t{0});
     if (pixels > MOST_PIXELS)
-        throw std::invalid_argument("mask of " + std::to_string(width) + "x" +
-                                    std::to_string(height) + " pixels is larger than an image of " +
+        throw std::invalid_argument("mask of " + sizeText(width, height) +
+                                    " pixels is larger than an image of " +
                                     std::to_string(MOST_PIXELS / 1000000) + " megapixels");
     if (width < 0 || height < 0 ||
         pixels != static_cast<uint64_t>(width) * static_cast<uint64_t>(height))
-        throw std::invalid_argument("mask of " + std::to_string(width) + "x" +
-                                    std::to_string(height) + " pixels has runs for " +
+        throw std::invalid_argument("mask of " + sizeText(width, height) + " pixels has runs for " +
                                     std::to_string(pixels));
 }
 

@@ -6,6 +6,7 @@
 #include "PixelDirections.h"
 #include "Projection.h"
 #include "VoxelBinning.h"
+#include "base/sizeText.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/observations/UnusableFrame.h"
 
