@@ -5,9 +5,9 @@
 namespace voxeland
 {
 /** Opinions from the labels of a scan's pixels (mrpt::obs::TPixelLabelInfo): each connected region
- * of a label that has a name is taken for an object. Labels say nothing about how sure they are, so that the score
- * comes from the INI. Pixels are those of the colour image, or of the depth image where the scan
- * has no other. */
+ * of a label that has a name is taken for an object. Labels say nothing about how sure they are, so
+ * that the score comes from the INI. Pixels are those of the colour image, or of the depth image
+ * where the scan has no other. */
 class CPixelLabelsConverter : public COpinionConverter
 {
     DEFINE_MRPT_OBJECT(CPixelLabelsConverter, voxeland)

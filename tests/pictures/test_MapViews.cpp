@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/TinyMap.h"
 #include "pictures/Colors.h"
 #include "pictures/MapViews.h"
 #include "support/TestFiles.h"
+#include "support/TinyMap.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/exporters/ExportAll.h"
 

@@ -17,9 +17,9 @@ struct CategoryNumbers
 
 /** Which names the category numbers of a file of predictions mean. If names are given, they do;
  *  else the file's own, and for other numbers COCO's: its 90, or its 80 counted from 0 or from 1
- *  where that leaves fewer predictions without a name, or as few and more of them are of things found
- *  in rooms; 80 come first for the files of Ultralytics.
- *  A tenth of the predictions may have numbers without a name. */
+ *  where that leaves fewer predictions without a name, or as few and more of them are of things
+ * found in rooms; 80 come first for the files of Ultralytics. A tenth of the predictions may have
+ * numbers without a name. */
 class CategoryNumbering
 {
  public:

@@ -24,7 +24,8 @@ class LabelChoice
     [[nodiscard]] const std::string& label() const { return m_label; }
     /** Adds a sentence on each label left out without being asked. */
     void tell(std::vector<std::string>& notes) const;
-    /** Which labels there were instead of the one asked for, in a clause; empty if all were taken. */
+    /** Which labels there were instead of the one asked for, in a clause; empty if all were taken.
+     */
     [[nodiscard]] std::string othersThanAsked() const;
 
  private:

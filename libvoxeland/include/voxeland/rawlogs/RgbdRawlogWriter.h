@@ -11,7 +11,7 @@ namespace mrpt::obs
 {
 class CObservation;
 class CObservation3DRangeScan;
-}
+}  // namespace mrpt::obs
 
 namespace voxeland
 {
