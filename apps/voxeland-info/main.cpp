@@ -8,6 +8,7 @@
 #include "planning/Reobservation.h"
 #include "voxeland/answers/MapAnswers.h"
 #include "voxeland/base/errors.h"
+#include "voxeland/base/joined.h"
 #include "voxeland/level/UpDirection.h"
 #include "voxeland/map/CategorySearch.h"
 #include "voxeland/map/SmallInstances.h"
@@ -78,58 +79,38 @@ struct Arguments : apps::CommandLine
     apps::Text map{*this, "map", "MAP.voxeland", "Map to read", apps::Presence::required};
 };
 
-/** Complains about wrong usage before a map is read. */
-void check(Arguments& arguments)
+std::string summary(Arguments& arguments, const CVoxelandMap& loaded)
 {
-    const int questions = int{arguments.instances.isSet()} + int{arguments.find.isSet()} +
-                          int{arguments.at.isSet()} + int{arguments.reobserve.isSet()} +
-                          int{arguments.explain.isSet()};
-    if (questions > 1)
-        throw ConfigurationError(
-            "choose one of --instances, --find, --at, --explain and --reobserve");
-    if (arguments.from.isSet() && !arguments.find.isSet())
-        throw ConfigurationError("--from goes with --find, name a category");
-    const bool forReobserve =
-        arguments.up.isSet() || arguments.cameraHeight.isSet() || arguments.most.isSet();
-    if (forReobserve && !arguments.reobserve.isSet())
-        throw ConfigurationError("--up, --camera-height and --most go with --reobserve");
-    if (!(arguments.cameraHeight.value() > 0))
-        throw ConfigurationError("--camera-height must be more than 0");
-    for (auto* point : {&arguments.from, &arguments.at})
-        if (point->isSet()) static_cast<void>(apps::parsePoint(*point));
-    if (arguments.up.isSet()) static_cast<void>(apps::parseDirection(arguments.up));
+    const MapOverview overview = overviewOf(loaded.map(), loaded.counts());
+    return arguments.json.isSet() ? asJson(loaded.map(), overview) : asText(overview);
 }
 
-std::string instances(Arguments& arguments, const CVoxelandMap& loaded)
+std::string allInstances(Arguments& arguments, const CVoxelandMap& loaded)
+{
+    const auto all = listInstances(loaded.map());
+    if (arguments.json.isSet()) return asJson(loaded.map(), all);
+    return all.empty() ? "" : asText(all, false, loaded.map().options().prior_strength > 0);
+}
+
+std::string instancesOfCategory(Arguments& arguments, const CVoxelandMap& loaded)
 {
     const SemanticVoxelMap& map = loaded.map();
-    const bool finds = arguments.find.isSet();
     const auto origin = arguments.from.isSet() ? apps::parsePoint(arguments.from) : map.origin();
-    const auto found =
-        finds ? findInstances(map, arguments.find.value(), origin) : listInstances(map);
-    if (found.empty() && finds) arguments.note(foundInstead(loaded, arguments.find.value()));
+    const auto found = findInstances(map, arguments.find.value(), origin);
+    if (found.empty()) arguments.note(foundInstead(loaded, arguments.find.value()));
     if (arguments.json.isSet()) return asJson(map, found);
-    return found.empty() ? "" : asText(found, finds, map.options().prior_strength > 0);
+    return found.empty() ? "" : asText(found, true, map.options().prior_strength > 0);
 }
 
-std::string place(Arguments& arguments, const SemanticVoxelMap& map)
+std::string place(Arguments& arguments, const CVoxelandMap& loaded)
 {
-    const PlaceAnswer answer = askPlace(map, apps::parsePoint(arguments.at));
+    const PlaceAnswer answer = askPlace(loaded.map(), apps::parsePoint(arguments.at));
     return arguments.json.isSet() ? asJson(answer) : asText(answer);
 }
 
-std::string reobservation(Arguments& arguments, const SemanticVoxelMap& map)
+std::string explanation(Arguments& arguments, const CVoxelandMap& loaded)
 {
-    CarriedCamera camera;
-    camera.height = arguments.cameraHeight.value();
-    const GravityAlignedFrame frame(arguments.up.isSet() ? apps::parseDirection(arguments.up)
-                                                         : estimateUp(map));
-    const auto targets = planReobservation(map, frame, camera, arguments.most.value());
-    return arguments.json.isSet() ? asJson(targets) : asText(targets);
-}
-
-std::string explanation(Arguments& arguments, const SemanticVoxelMap& map)
-{
+    const SemanticVoxelMap& map = loaded.map();
     const instance_id_t wanted = arguments.explain.value(), id = map.resolve(wanted);
     if (id == UNKNOWN_INSTANCE)
         throw ConfigurationError("--explain: there is no object " + std::to_string(wanted) +
@@ -140,18 +121,57 @@ std::string explanation(Arguments& arguments, const SemanticVoxelMap& map)
     return arguments.json.isSet() ? explanationAsJson(map, id) : explanationAsText(map, id);
 }
 
-std::string summary(Arguments& arguments, const CVoxelandMap& loaded)
+std::string reobservation(Arguments& arguments, const CVoxelandMap& loaded)
 {
-    const MapOverview overview = overviewOf(loaded.map(), loaded.counts());
-    return arguments.json.isSet() ? asJson(loaded.map(), overview) : asText(overview);
+    CarriedCamera camera;
+    camera.height = arguments.cameraHeight.value();
+    const GravityAlignedFrame frame(arguments.up.isSet() ? apps::parseDirection(arguments.up)
+                                                         : estimateUp(loaded.map()));
+    const auto targets = planReobservation(loaded.map(), frame, camera, arguments.most.value());
+    return arguments.json.isSet() ? asJson(targets) : asText(targets);
+}
+
+/** Something a map can be asked: the option that asks it, and those that only go with it. */
+struct Query
+{
+    const apps::Argument& asked;
+    std::vector<const apps::Argument*> details;
+    std::string (*answer)(Arguments& arguments, const CVoxelandMap& loaded);
+};
+
+std::vector<Query> queriesOf(const Arguments& a)
+{
+    return {
+        {a.instances, {}, allInstances},
+        {a.find, {&a.from}, instancesOfCategory},
+        {a.at, {}, place},
+        {a.explain, {}, explanation},
+        {a.reobserve, {&a.up, &a.cameraHeight, &a.most}, reobservation},
+    };
+}
+
+/** Complains about wrong usage before a map is read. */
+void check(const Arguments& arguments)
+{
+    std::vector<std::string> asked;
+    for (const Query& query : queriesOf(arguments)) {
+        if (query.asked.isSet()) asked.push_back(query.asked.name());
+        for (const auto* detail : query.details)
+            if (detail->isSet() && !query.asked.isSet())
+                throw ConfigurationError(detail->name() + " goes with " + query.asked.name());
+    }
+    if (asked.size() > 1) throw ConfigurationError("choose one of " + joined(asked, ", "));
+    if (!(arguments.cameraHeight.value() > 0))
+        throw ConfigurationError("--camera-height must be more than 0");
+    for (const auto* point : {&arguments.from, &arguments.at})
+        if (point->isSet()) static_cast<void>(apps::parsePoint(*point));
+    if (arguments.up.isSet()) static_cast<void>(apps::parseDirection(arguments.up));
 }
 
 std::string answer(Arguments& arguments, const CVoxelandMap& loaded)
 {
-    if (arguments.instances.isSet() || arguments.find.isSet()) return instances(arguments, loaded);
-    if (arguments.at.isSet()) return place(arguments, loaded.map());
-    if (arguments.explain.isSet()) return explanation(arguments, loaded.map());
-    if (arguments.reobserve.isSet()) return reobservation(arguments, loaded.map());
+    for (const Query& query : queriesOf(arguments))
+        if (query.asked.isSet()) return query.answer(arguments, loaded);
     return summary(arguments, loaded);
 }
 
