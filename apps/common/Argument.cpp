@@ -38,6 +38,13 @@ Switch::Switch(CommandLine& line, const std::string& names, const std::string& d
     line.addSwitch(*this, names, description);
 }
 
+SwitchOrText::SwitchOrText(CommandLine& line, const std::string& names, const std::string& value,
+                           const std::string& description)
+    : Argument(names)
+{
+    line.addSwitchOrOption(*this, names, value, description);
+}
+
 Text::Text(CommandLine& line, const std::string& names, const std::string& value,
            const std::string& description, std::string preset, Presence presence)
     : Argument(names), m_value(std::move(preset))

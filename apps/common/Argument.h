@@ -51,6 +51,22 @@ class Switch : public Argument
     void take(const std::vector<std::string>&) override {}
 };
 
+/** A switch that a text may follow: "--dump-config" or "--dump-config all". */
+class SwitchOrText : public Argument
+{
+ public:
+    SwitchOrText(CommandLine& line, const std::string& names, const std::string& value,
+                 const std::string& description);
+
+    /** Empty if no text was given. */
+    [[nodiscard]] const std::string& value() const { return m_value; }
+
+ private:
+    void take(const std::vector<std::string>& values) override { m_value = values.front(); }
+
+    std::string m_value;
+};
+
 /** A text, which may be empty. */
 class Text : public Argument
 {

@@ -47,10 +47,16 @@ bool takesValue(const CLI::Option& option)
     return option.get_items_expected_max() > 0;
 }
 
+bool needsValue(const CLI::Option& option)
+{
+    return option.get_items_expected_min() > 0;
+}
+
 /** The ways to give an option, as "-i <FILE>" and "--input <FILE>". */
 std::vector<std::string> usesOf(const CLI::Option& option)
 {
-    const std::string value = takesValue(option) ? "<" + option.get_type_name() + ">" : "";
+    std::string value = takesValue(option) ? "<" + option.get_type_name() + ">" : "";
+    if (takesValue(option) && !needsValue(option)) value = "[" + option.get_type_name() + "]";
     if (option.get_positional()) return {value};
     std::vector<std::string> uses;
     const std::string suffix = value.empty() ? "" : " " + value;
@@ -181,6 +187,15 @@ CommandLine::CommandLine(std::string description, Rest rest)
 
 CommandLine::~CommandLine() = default;
 
+std::function<bool(const std::vector<std::string>&)> CommandLine::takerOf(Argument& argument)
+{
+    return [&argument](const std::vector<std::string>& values) {
+        argument.take(values);
+        argument.m_isSet = true;
+        return true;
+    };
+}
+
 void CommandLine::addSwitch(Argument& argument, const std::string& names,
                             const std::string& description)
 {
@@ -190,16 +205,20 @@ void CommandLine::addSwitch(Argument& argument, const std::string& names,
         ->multi_option_policy(ONCE);
 }
 
+void CommandLine::addSwitchOrOption(Argument& argument, const std::string& names,
+                                    const std::string& value, const std::string& description)
+{
+    m_app->add_option(names, takerOf(argument), description)
+        ->type_name(value)
+        ->expected(0, 1)
+        ->multi_option_policy(ONCE);
+}
+
 void CommandLine::addOption(Argument& argument, const std::string& names, const std::string& value,
                             const std::string& description, Presence presence,
                             Occurrence occurrence)
 {
-    const auto take = [&argument](const std::vector<std::string>& values) {
-        argument.take(values);
-        argument.m_isSet = true;
-        return true;
-    };
-    m_app->add_option(names, take, description)
+    m_app->add_option(names, takerOf(argument), description)
         ->type_name(value)
         ->required(presence == Presence::required)
         ->multi_option_policy(occurrence == Occurrence::once ? ONCE : REPEATED);
@@ -227,7 +246,8 @@ std::vector<std::string> CommandLine::valuesApart(const std::vector<std::string>
         if (name != word && !takesValue(*option)) throw wrongUsage(name + " takes no value");
         if (name != word)
             apart.push_back(word.substr(name.size() + 1));
-        else if (takesValue(*option) && i + 1 < words.size())
+        else if (i + 1 < words.size() &&
+                 (needsValue(*option) || (takesValue(*option) && !isName(words[i + 1]))))
             apart.push_back(words[++i]);
     }
     return apart;

@@ -4,6 +4,7 @@
 
 #include <mrpt/system/COutputLogger.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -67,12 +68,17 @@ class CommandLine
 
  private:
     friend class Switch;
+    friend class SwitchOrText;
     friend class Text;
     friend class Texts;
     template <typename N>
     friend class Number;
 
+    /** Gives an argument what was given for it. */
+    static std::function<bool(const std::vector<std::string>&)> takerOf(Argument& argument);
     void addSwitch(Argument& argument, const std::string& names, const std::string& description);
+    void addSwitchOrOption(Argument& argument, const std::string& names, const std::string& value,
+                           const std::string& description);
     void addOption(Argument& argument, const std::string& names, const std::string& value,
                    const std::string& description, Presence presence, Occurrence occurrence);
     [[nodiscard]] std::vector<std::string> valuesApart(const std::vector<std::string>& words) const;

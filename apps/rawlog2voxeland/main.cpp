@@ -40,7 +40,7 @@ const char* const DESCRIPTION =
   rawlog2voxeland --dump-config > my.ini
 
 Without -c the defaults hold: predictions recorded in the rawlog or in NAME.instances.rawlog beside it,
-the paper's association, 5 cm voxels. --dump-config prints all keys of the INI with their meaning.
+the paper's association, 5 cm voxels. --dump-config prints the keys of the INI with their meaning.
 Ctrl-C saves the map of the frames so far and prints the command that goes on; a second one ends at once.
 Per cent and time left count frames, whose number is estimated from what was read of the rawlog.
 Exit codes: 0 done, 1 usage or configuration, 2 plugin, 3 input, 4 nothing to map, 5 output,
@@ -53,8 +53,10 @@ struct Arguments : apps::CommandLine
 
     apps::Switch listPlugins{*this, "--list-plugins", "Print the plugins that are there, and end"};
     apps::Switch checkConfig{*this, "--check-config", "Check the configuration, and end"};
-    apps::Switch dumpConfig{*this, "--dump-config",
-                            "Print the effective configuration as an INI, and end"};
+    apps::SwitchOrText dumpConfig{
+        *this, "--dump-config", "all",
+        "Print the effective configuration as an INI, the keys that users change or \"all\", and "
+        "end"};
     apps::Text trace{*this, "--trace", "FILE.jsonl",
                      "Write why each opinion, division and merge was decided as it was"};
     apps::Text timing{*this, "--timing", "FILE.csv", "Write each frame's CPU time per stage [ms]"};
@@ -238,7 +240,12 @@ int makeMap(Arguments& arguments)
                         MapperConfig::Purpose::mapping,
                         [&](const std::string& left) { arguments.warn(left); });
     if (arguments.dumpConfig.isSet()) {
-        std::cout << config.text();
+        const std::string& keys = arguments.dumpConfig.value();
+        if (!keys.empty() && keys != "all")
+            throw ConfigurationError("--dump-config takes 'all' or nothing, not '" + keys + "'");
+        std::cout << (keys.empty() ? "# What users change; --dump-config all prints all keys.\n\n" +
+                                         config.commonText()
+                                   : config.text());
         return 0;
     }
     if (arguments.checkConfig.isSet()) {

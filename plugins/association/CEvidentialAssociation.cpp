@@ -71,8 +71,8 @@ std::string CEvidentialAssociation::description() const
 
 void CEvidentialAssociation::declareOptions(OptionList& options)
 {
+    options.forExperts();
     options.add("tau_iou", m_tauIoU, {0, 1}, "Intersection over union that makes a match");
-    options.add("use_iov", m_useIoV, "Also match partial views by what is visible of an instance");
     options.add("tau_iov_strict", m_tauIoVStrict, {0, 1},
                 "Least IoV and IoM of a partial view when categories differ (S_sem = 0)");
     options.add("tau_iov_relaxed", m_tauIoVRelaxed, {0, 1},
@@ -80,13 +80,13 @@ void CEvidentialAssociation::declareOptions(OptionList& options)
     options.add("tau_piece", m_tauPiece, {0, 1}, "Least IoM of a piece of an instance");
     options.add("piece_similarity", m_pieceSimilarity, {0, 1},
                 "Least semantic similarity of a piece");
-    options.add("exclusive", m_exclusive,
-                "Detections of one frame that lie apart are never about the same instance");
-    options.add("unclaimed", m_unclaimed,
-                "A detection that matches nothing may go, for less overlap, to an instance that no "
-                "other detection of the frame is about");
-    options.add("use_similarity", m_useSimilarity,
-                "Let semantic similarity relax the thresholds; otherwise it counts as 0.5");
+    // Matching partial views by what is visible of an instance; letting similarity relax the
+    // thresholds (it counts as 0.5 otherwise); one instance for one of the detections of a frame
+    // that lie apart; less overlap for instances that no other detection is about.
+    options.addAblation({{"iov", m_useIoV, "use_iov"},
+                         {"similarity", m_useSimilarity, "use_similarity"},
+                         {"exclusive", m_exclusive, "exclusive"},
+                         {"unclaimed", m_unclaimed, "unclaimed"}});
 }
 
 double CEvidentialAssociation::similarity(double measured) const

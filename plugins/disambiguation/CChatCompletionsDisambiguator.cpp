@@ -66,6 +66,9 @@ void CChatCompletionsDisambiguator::declareOptions(OptionList& options)
                 OptionList::noValue);
     options.add("ca_file", m_caFile,
                 "PEM file with the certificates to trust instead of the system's; empty: those");
+    options.add("max_run_tokens", m_maxRunTokens, {0, MOST},
+                "No question is asked once so many tokens are used, prompts included; 0: no limit");
+    options.forExperts();
     options.add("connect_timeout", m_connectTimeout, {0.001, 3600},
                 "Longest time to wait for a connection [s]");
     options.add("timeout", m_timeout, {0.001, 86400}, "Longest time to wait for an answer [s]");
@@ -80,8 +83,6 @@ void CChatCompletionsDisambiguator::declareOptions(OptionList& options)
                 "Questions in a row that fail before no other is asked");
     options.add("max_tokens", m_chat.maxTokens, {0, 1e6},
                 "Longest answer, thoughts included [tokens]; 0: as the server likes");
-    options.add("max_run_tokens", m_maxRunTokens, {0, MOST},
-                "No question is asked once so many tokens are used, prompts included; 0: no limit");
     options.add("temperature", m_chat.temperature, {-1, 2},
                 "Randomness of answers; negative: as the server likes");
     options.add("detail", m_chat.detail,

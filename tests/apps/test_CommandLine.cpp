@@ -218,6 +218,29 @@ TEST(CommandLine, aSwitchTakesNoValue)
     EXPECT_EQ(refusal({"--strict", "true"}), "'true' belongs to no option (see --help)");
 }
 
+TEST(CommandLine, aSwitchOrTextTakesAWordThatIsNoOption)
+{
+    struct Dumping : Arguments
+    {
+        apps::SwitchOrText dump{*this, "--dump", "all", "What there is"};
+    };
+    for (const auto& [words, value] :
+         {std::pair(Words{"--dump"}, ""), std::pair(Words{"--dump", "all"}, "all"),
+          std::pair(Words{"--dump=all"}, "all"), std::pair(Words{"--dump", "--strict"}, ""),
+          std::pair(Words{"--strict", "--dump", "-o", "f"}, "")})
+    {
+        Dumping line;
+        EXPECT_TRUE(parse(line, words));
+        EXPECT_TRUE(line.dump.isSet());
+        EXPECT_EQ(line.dump.value(), value);
+    }
+    Dumping without;
+    EXPECT_TRUE(parse(without, {"--strict"}));
+    EXPECT_FALSE(without.dump.isSet());
+    EXPECT_EQ(refusal(without, {"--dump", "all", "more"}),
+              "'more' belongs to no option (see --help)");
+}
+
 TEST(CommandLine, whatIsGivenTwiceIsRefused)
 {
     EXPECT_EQ(refusal({"--title", "a", "--title=a"}), "--title is given twice (see --help)");

@@ -416,6 +416,10 @@ TEST_F(Rawlog2voxeland, TheDumpedConfigurationIsOneThatItTakes)
         runProgram("rawlog2voxeland", {"--dump-config", "--set", "map.resolution=0.125"});
     ASSERT_EQ(dump.exitCode, 0) << dump.errors;
     EXPECT_NE(dump.output.find("resolution = 0.125"), std::string::npos);
+    EXPECT_EQ(dump.output.find("tau_iou"), std::string::npos);
+    const auto all = runProgram("rawlog2voxeland", {"--dump-config", "all"});
+    EXPECT_NE(all.output.find("tau_iou"), std::string::npos);
+    expectFailure(runProgram("rawlog2voxeland", {"--dump-config", "any"}), 1, {"'all'", "'any'"});
     writeFile(m_folder.file("given.ini"), dump.output);
     EXPECT_EQ(
         runProgram("rawlog2voxeland", {"-c", m_folder.file("given.ini"), "--dump-config"}).output,

@@ -9,16 +9,16 @@ using namespace voxeland;
 
 TEST(DefaultConfig, isUpToDate)
 {
-    const auto dumped = test::runProgram("rawlog2voxeland", {"--dump-config"});
+    const auto dumped = test::runProgram("rawlog2voxeland", {"--dump-config", "all"});
     ASSERT_EQ(dumped.exitCode, 0) << dumped.errors;
     EXPECT_EQ(test::readFile(VOXELAND_DEFAULT_CONFIG), dumped.output)
-        << "renew it: build/bin/rawlog2voxeland --dump-config > share/config/default.ini";
+        << "renew it: build/bin/rawlog2voxeland --dump-config all > share/config/default.ini";
 }
 
 TEST(DefaultConfig, readsBackAsItIs)
 {
     const auto dumped =
-        test::runProgram("rawlog2voxeland", {"-c", VOXELAND_DEFAULT_CONFIG, "--dump-config"});
+        test::runProgram("rawlog2voxeland", {"-c", VOXELAND_DEFAULT_CONFIG, "--dump-config", "all"});
     ASSERT_EQ(dumped.exitCode, 0) << dumped.errors;
     EXPECT_EQ(test::readFile(VOXELAND_DEFAULT_CONFIG), dumped.output);
 }

@@ -23,7 +23,7 @@ struct TwoOpinions
 
     /** Both overlap with one instance of 200 visible voxels. */
     std::vector<instance_id_t> assigned(uint32_t first, uint32_t second, double similarity,
-                                        const std::string& keys = "unclaimed = false")
+                                        const std::string& keys = "ablation = unclaimed")
     {
         overlaps[0].candidates = {{7, first, 100, 200, 200, 100, similarity}};
         overlaps[1].candidates = {{7, second, 100, 200, 200, 100, similarity}};
@@ -88,8 +88,8 @@ TEST(EvidentialAssociation, AnInstanceNobodyClaimsIsSeenUnderAnotherName)
     EXPECT_EQ(assigned({{3, 50, 100, 400, 200, 100, 0}}), 3U);
     EXPECT_EQ(assigned({{3, 49, 100, 400, 200, 100, 0}}), UNKNOWN_INSTANCE);  // IoV 0.245
     EXPECT_EQ(assigned({{3, 24, 100, 400, 50, 100, 0}}), UNKNOWN_INSTANCE);   // IoM 0.24
-    EXPECT_EQ(assigned({{3, 50, 100, 400, 200, 100, 0}}, "unclaimed = false"), UNKNOWN_INSTANCE);
-    EXPECT_EQ(assigned({{3, 50, 100, 400, 200, 100, 0}}, "use_iov = false"), UNKNOWN_INSTANCE);
+    EXPECT_EQ(assigned({{3, 50, 100, 400, 200, 100, 0}}, "ablation = unclaimed"), UNKNOWN_INSTANCE);
+    EXPECT_EQ(assigned({{3, 50, 100, 400, 200, 100, 0}}, "ablation = iov"), UNKNOWN_INSTANCE);
 }
 
 TEST(EvidentialAssociation, AClaimedInstanceIsNotSeenUnderAnotherName)
@@ -97,8 +97,8 @@ TEST(EvidentialAssociation, AClaimedInstanceIsNotSeenUnderAnotherName)
     // The first matches as usual; the second would if the instance were free. They share half of
     // their voxels, so that they do not lie apart.
     TwoOpinions two(50);
-    EXPECT_EQ(two.assigned(95, 50, 0.6, "unclaimed = true"), (Ids{7, UNKNOWN_INSTANCE}));
-    EXPECT_EQ(two.assigned(50, 51, 0.6, "unclaimed = true"), (Ids{UNKNOWN_INSTANCE, 7}))
+    EXPECT_EQ(two.assigned(95, 50, 0.6, "ablation ="), (Ids{7, UNKNOWN_INSTANCE}));
+    EXPECT_EQ(two.assigned(50, 51, 0.6, "ablation ="), (Ids{UNKNOWN_INSTANCE, 7}))
         << "of two that would, the better one";
 }
 
@@ -110,7 +110,7 @@ TEST(EvidentialAssociation, AnOutvotedInstanceIsFoundWhereItWasSeen)
     outvoted.touchedVoxels = 79;
     EXPECT_EQ(assigned({outvoted}), UNKNOWN_INSTANCE);
     outvoted.touchedVoxels = 80;
-    EXPECT_EQ(assigned({outvoted}, "use_similarity = false"), UNKNOWN_INSTANCE);
+    EXPECT_EQ(assigned({outvoted}, "ablation = similarity"), UNKNOWN_INSTANCE);
     outvoted.similarity = 0.19;
     EXPECT_EQ(assigned({outvoted}), UNKNOWN_INSTANCE);
     EXPECT_EQ(assigned({outvoted}, "tau_iou = 0"), UNKNOWN_INSTANCE) << "no voxel in common";

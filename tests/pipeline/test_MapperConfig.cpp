@@ -56,6 +56,25 @@ TEST(MapperConfig, ItsTextReadsBack)
     EXPECT_TRUE(contains(again.text(), "CIoUAssociation"));
 }
 
+TEST(MapperConfig, ItsCommonKeysAreThoseThatUsersChange)
+{
+    const auto keysOf = [](const std::string& text) {
+        std::istringstream lines(text);
+        size_t count = 0;
+        for (std::string line; std::getline(lines, line);) count += line.find(" = ") < line.size();
+        return count;
+    };
+    const MapperConfig config;
+    EXPECT_LE(keysOf(config.commonText()), 24U);
+    EXPECT_GT(keysOf(config.text()), 2 * keysOf(config.commonText()));
+    EXPECT_TRUE(contains(config.commonText(), "max_depth = 4"));
+    EXPECT_FALSE(contains(config.commonText(), "tau_iou"));
+    const MapperConfig changed(Ini::fromText("[association]\ntau_iou = 0.4\n", "my.ini"));
+    EXPECT_TRUE(contains(changed.commonText(), "tau_iou = 0.4"));
+    EXPECT_FALSE(contains(changed.commonText(), "tau_piece"));
+    EXPECT_EQ(MapperConfig(Ini::fromText(changed.commonText(), "again")).text(), changed.text());
+}
+
 TEST(MapperConfig, NumbersAreReadAndPrintedAlikeInEveryLocale)
 {
     const std::string ini =
@@ -137,11 +156,9 @@ TEST(MapperConfig, UnknownPoseSourcesAndDisambiguationKeysAreFound)
     EXPECT_NE(problem("[voxeland]\npose_source = gps\n").find("robot_pose"), std::string::npos);
     EXPECT_NE(problem("[voxeland]\npose_source = tum:\n").find("tum:<file>"), std::string::npos);
     EXPECT_EQ(problem("[voxeland]\npose_source = tum:any.tum\n"), "");
-    EXPECT_NE(problem("[disambiguation]\nview_selection = best\n").find("largest-spread"),
-              std::string::npos);
     EXPECT_NE(problem("[disambiguation]\nentropy_treshold = 1\n").find("entropy_threshold"),
               std::string::npos);
     EXPECT_EQ(problem("[disambiguation]\nclass = CReplayDisambiguator\n"
-                      "folder = q\nview_selection = spread\n"),
+                      "folder = q\ncrop_margin = 0.5\n"),
               "");
 }

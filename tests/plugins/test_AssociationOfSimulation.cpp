@@ -53,7 +53,7 @@ class AssociationOfSimulation : public testing::Test
     {
         Ini ini;
         for (const auto* assignment :
-             {"voxeland.min_depth=0.5", "voxeland.max_depth=4", "converter.cluster=false",
+             {"voxeland.min_depth=0.5", "voxeland.max_depth=4", "converter.ablation=clustering",
               "converter.min_points=1", "converter.min_score=0", "refinement.every=0"})
             ini.set(assignment);
         ini.set("association.class=" + className);

@@ -163,6 +163,76 @@ TEST(OptionList, WhatIsPrintedReadsBack)
     EXPECT_EQ(read.taste, written.taste);
 }
 
+namespace
+{
+/** A method of two parts, the first of which had a key of its own once. */
+struct Ablated
+{
+    bool usesMud = true, usesRain = true;
+    std::vector<std::string> problems;
+    std::string printed;
+
+    explicit Ablated(const std::string& line)
+    {
+        OptionList list;
+        list.addAblation({{"mud", usesMud, "use_mud"}, {"rain", usesRain}});
+        list.load(Ini::fromText("[s]\n" + line + "\n", "the test"), "s", problems);
+        std::ostringstream out;
+        list.print(out, "s");
+        printed = out.str();
+    }
+    [[nodiscard]] std::vector<bool> parts() const { return {usesMud, usesRain}; }
+};
+using Parts = std::vector<bool>;
+}  // namespace
+
+TEST(OptionList, AnAblationNamesTheParts)
+{
+    EXPECT_EQ(Ablated("").parts(), (Parts{true, true}));
+    EXPECT_EQ(Ablated("ablation = rain").parts(), (Parts{true, false}));
+    EXPECT_EQ(Ablated("ablation = rain , mud").parts(), (Parts{false, false}));
+    EXPECT_EQ(Ablated("ablation =").parts(), (Parts{true, true}));
+    EXPECT_TRUE(contains(Ablated("ablation = rain").printed, "\nablation = rain\n"));
+    EXPECT_TRUE(contains(Ablated("").printed, "mud, rain\nablation = \n"));
+    const Ablated wrong("ablation = rain, snow");
+    ASSERT_EQ(wrong.problems.size(), 1U);
+    EXPECT_TRUE(contains(wrong.problems[0], "'snow': there are mud, rain")) << wrong.problems[0];
+    EXPECT_EQ(wrong.parts(), (Parts{true, true}));
+}
+
+TEST(OptionList, APartsFormerKeyIsStillUnderstood)
+{
+    const Ablated former("use_mud = false");
+    EXPECT_TRUE(former.problems.empty());
+    EXPECT_EQ(former.parts(), (Parts{false, true}));
+    EXPECT_TRUE(contains(former.printed, "ablation = mud\n")) << former.printed;
+    EXPECT_FALSE(contains(former.printed, "use_mud"));
+    EXPECT_TRUE(contains(Ablated("use_mad = false").problems.at(0), "no key 'use_mad'"));
+    EXPECT_FALSE(contains(Ablated("use_mad = false").problems.at(0), "'use_mud'"))
+        << "a former key is not suggested";
+}
+
+TEST(OptionList, KeysForExpertsArePrintedWhereTheyAreChanged)
+{
+    int depth = 1, width = 2, height = 3;
+    OptionList list;
+    list.add("depth", depth, {0, 9}, "How deep");
+    list.forExperts();
+    list.add("width", width, {0, 9}, "How wide");
+    list.add("height", height, {0, 9}, "How high");
+    std::vector<std::string> problems;
+    list.load(Ini::fromText("[s]\nheight = 4\n", "the test"), "s", problems);
+    const auto printed = [&](OptionList::Keys keys) {
+        std::ostringstream out;
+        list.print(out, "s", keys);
+        return out.str();
+    };
+    EXPECT_EQ(printed(OptionList::Keys::common),
+              "[s]\n# How deep\ndepth = 1\n# How high\nheight = 4\n");
+    EXPECT_EQ(printed(OptionList::Keys::all),
+              "[s]\n# How deep\ndepth = 1\n# How wide\nwidth = 2\n# How high\nheight = 4\n");
+}
+
 TEST(OptionList, RetiredKeysAreReadAndDoNothing)
 {
     int number = 1;

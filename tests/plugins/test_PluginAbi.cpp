@@ -17,8 +17,8 @@ using namespace voxeland;
 TEST(PluginAbi, IsCountedUpWhenALayoutChanges)
 {
 #if defined(__x86_64__) && _GLIBCXX_USE_CXX11_ABI && !defined(_GLIBCXX_DEBUG)
-    EXPECT_STREQ(AS_TEXT(VOXELAND_PLUGIN_ABI), "abi_3");
-    EXPECT_EQ(sizeof(OptionList), 72U);
+    EXPECT_STREQ(AS_TEXT(VOXELAND_PLUGIN_ABI), "abi_4");
+    EXPECT_EQ(sizeof(OptionList), 56U);
     EXPECT_EQ(sizeof(Opinion), 88U);
     EXPECT_EQ(sizeof(VoxelizedFrame), 184U);
     EXPECT_EQ(sizeof(Overlap), 40U);

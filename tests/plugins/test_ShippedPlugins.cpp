@@ -16,7 +16,7 @@ std::shared_ptr<CAssociationPolicy> evidential()
     return test::configuredPlugin<CAssociationPolicy>(
         "evidential_association", "CEvidentialAssociation",
         "tau_iou = 0.5\ntau_iov_strict = 0.8\ntau_iov_relaxed = 0.4\n"
-        "tau_piece = 1\nunclaimed = false\n");
+        "tau_piece = 1\nablation = unclaimed\n");
 }
 
 std::shared_ptr<CAssociationPolicy> iouOnly(const std::string& keys = "tau_iou = 0.25\n")

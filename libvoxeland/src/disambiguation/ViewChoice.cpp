@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 
 namespace voxeland
 {
@@ -28,28 +27,6 @@ float angleToNearest(const CandidateView& view, const Views& chosen)
     return least;
 }
 
-/** Takes the view of greatest worth, again and again. \param worth called as worth(view, chosen) */
-template <typename Worth>
-Views chooseGreedily(Views views, size_t most, Worth&& worth)
-{
-    Views chosen;
-    while (chosen.size() < most && !views.empty()) {
-        const auto best = std::max_element(views.begin(), views.end(),
-                                           [&](const CandidateView& a, const CandidateView& b) {
-                                               return worth(a, chosen) < worth(b, chosen);
-                                           });
-        chosen.push_back(*best);
-        views.erase(best);
-    }
-    return chosen;
-}
-
-/** As std::shuffle(), but the same everywhere. */
-void shuffle(Views& views, uint32_t seed)
-{
-    std::mt19937 random(seed);
-    for (size_t n = views.size(); n > 1; --n) std::swap(views[n - 1], views[random() % n]);
-}
 float greatestSharpness(const Views& views)
 {
     float greatest = 0;
@@ -58,7 +35,7 @@ float greatestSharpness(const Views& views)
 }
 }  // namespace
 
-Views chooseViews(Views views, size_t most, ViewSelection how, uint32_t seed)
+Views chooseViews(Views views, size_t most)
 {
     const float sharpest = greatestSharpness(views);
     const auto quality = [sharpest](const CandidateView& v) {
@@ -66,18 +43,18 @@ Views chooseViews(Views views, size_t most, ViewSelection how, uint32_t seed)
     };
     std::stable_sort(views.begin(), views.end(),
                      [&](const auto& a, const auto& b) { return quality(a) > quality(b); });
-    if (how == ViewSelection::random) shuffle(views, seed);
-    if (how == ViewSelection::random || how == ViewSelection::largest) {
-        views.resize(std::min(most, views.size()));
-        return views;
-    }
-    if (how == ViewSelection::spread)
-        return chooseGreedily(std::move(views), most, [&](const auto& v, const Views& chosen) {
-            return chosen.empty() ? quality(v) : angleToNearest(v, chosen);
-        });
-    return chooseGreedily(std::move(views), most, [&](const auto& v, const Views& chosen) {
+    Views chosen;
+    const auto worth = [&](const CandidateView& v) {
         return quality(v) * std::min(angleToNearest(v, chosen), FAR);
-    });
+    };
+    while (chosen.size() < most && !views.empty()) {
+        const auto best = std::max_element(
+            views.begin(), views.end(),
+            [&](const CandidateView& a, const CandidateView& b) { return worth(a) < worth(b); });
+        chosen.push_back(*best);
+        views.erase(best);
+    }
+    return chosen;
 }
 
 void keepChosenViews(UncertainInstance& instance, const DisambiguationOptions& options)
@@ -88,9 +65,7 @@ void keepChosenViews(UncertainInstance& instance, const DisambiguationOptions& o
     instance.views.clear();
     for (const RankedCategory& c : instance.candidates)
         for (CandidateView& v :
-             chooseViews(std::move(fetched[c.category]), options.views_per_category,
-                         options.view_selection, options.seed + instance.id))
-        {
+             chooseViews(std::move(fetched[c.category]), options.views_per_category)) {
             if (!instance.views.empty()) v.wholeFrame.clear();
             instance.views.push_back(std::move(v));
         }

@@ -37,6 +37,11 @@ void declare(OptionList& list, InputOptions& o)
         "What those poses are of: body, the robot (x forward, y left, z up); optical, the "
         "depth camera (x right, y down, z forward); opengl, it too (x right, y up, z backward); "
         "of actions and simplemaps always body");
+    list.add("min_depth", o.depth.min_depth, {0, INF}, "Nearest depth used [m]");
+    list.add("max_depth", o.depth.max_depth, {0, 1000}, "Farthest depth used [m]");
+    list.add("threads", o.threads, {0, 256},
+             "Threads that read and prepare frames; 0: one a core. The map does not depend on it");
+    list.forExperts();
     list.add("pose_sensor_label", o.pose_sensor_label,
              "Sensor label of the robot poses; empty: the first CObservationRobotPose met",
              OptionList::anyValue);
@@ -44,15 +49,15 @@ void declare(OptionList& list, InputOptions& o)
              "Longest time between two poses to interpolate over [s]");
     list.add("prediction_wait", o.prediction_wait, {0, 1000},
              "How many newer frames to wait for a frame's predictions or pose");
-    list.add("min_depth", o.depth.min_depth, {0, INF}, "Nearest depth used [m]");
-    list.add("max_depth", o.depth.max_depth, {0, 1000}, "Farthest depth used [m]");
-    list.add("threads", o.threads, {0, 256},
-             "Threads that read and prepare frames; 0: one a core. The map does not depend on it");
 }
 
 void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
 {
     list.add("resolution", o.resolution, {0.001, 10}, "Voxel edge [m]");
+    list.add("pose_uncertainty", integration.pose_uncertainty,
+             "Where poses come with a covariance, evidence counts by the probability that it is in "
+             "the right voxel");
+    list.forExperts();
     list.add("prob_hit", o.occupancy.prob_hit, {0.5, 1},
              "Probability of occupied, given a point measured in the voxel");
     list.add("prob_miss", o.occupancy.prob_miss, {0, 0.5},
@@ -71,9 +76,6 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
              "probable category alone, as in the paper");
     list.add("visibility_margin", integration.visibility_margin, {0, 10},
              "A voxel this far behind the measured depth still counts as seen [m]");
-    list.add("pose_uncertainty", integration.pose_uncertainty,
-             "Where poses come with a covariance, evidence counts by the probability that it is in "
-             "the right voxel");
     list.add("prior_strength", o.prior_strength, {0, INF},
              "Prior evidence spread over the known categories of an instance (W)");
     list.add(
@@ -90,18 +92,16 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
 void declare(OptionList& list, RefinementOptions& o)
 {
     list.add("every", o.every, {0, 1e6}, "Frames between two refinements of the map; 0: never");
-    list.add("merge_iou", o.merge.iou, {0, 1},
-             "Instances with a greater intersection over union are merged");
-    list.add("use_ios", o.merge.use_ios,
-             "Also merge instances by intersection over smaller and semantic similarity together");
-    list.add("merge_ios", o.merge.ios, {0, 1}, "Least intersection over smaller for that");
-    list.add("merge_similarity", o.merge.similarity, {0, 1}, "Least semantic similarity for that");
-    list.add("split", o.split, "Divide instances that fell apart");
-    list.add("continuity", o.continuity, "Merge only instances that are connected");
     list.add("min_evidence", o.min_evidence, {0, INF},
              "Instances with less evidence (sum of their detections' scores) count as unknown ...");
     list.add("patience", o.patience, {0, 1e6},
              "... when not seen for so many frames; they come back when seen again");
+    list.forExperts();
+    list.add("merge_iou", o.merge.iou, {0, 1},
+             "Instances with a greater intersection over union are merged");
+    list.add("merge_ios", o.merge.ios, {0, 1},
+             "So are those with this intersection over smaller ...");
+    list.add("merge_similarity", o.merge.similarity, {0, 1}, "... and this semantic similarity");
     list.add("dbscan_eps", o.dbscan_eps, {1, 10},
              "Voxels up to this far along each axis are neighbours [voxels]");
     list.add("dbscan_min_points", o.dbscan_min_points, {1, 1000},
@@ -110,6 +110,11 @@ void declare(OptionList& list, RefinementOptions& o)
              "Smaller parts do not become instances [voxels]");
     list.add("min_part_share", o.min_part_share, {0, 1},
              "Nor do parts with a smaller share of the instance's voxels");
+    // Merging by intersection over smaller; merging only what is connected; dividing what fell
+    // apart.
+    list.addAblation({{"ios", o.merge.use_ios, "use_ios"},
+                      {"continuity", o.continuity, "continuity"},
+                      {"split", o.split, "split"}});
 }
 
 void declare(OptionList& list, DisambiguationOptions& o)
@@ -118,20 +123,13 @@ void declare(OptionList& list, DisambiguationOptions& o)
              "Instances whose category is more uncertain are asked about; depends on [map] "
              "entropy [nat]");
     list.add("min_voxels", o.min_voxels, {1, 1e6}, "Smaller instances are not asked about");
-    list.add("ask_again", o.ask_again, "Also ask about instances that have a decision");
     list.add("max_questions", o.max_questions, {0, 1e6},
              "Questions of a run, the most uncertain instances first; 0: no limit");
-    list.add("max_categories", o.max_categories, {1, 100}, "Candidates of a question");
     list.add("views_per_category", o.views_per_category, {1, 100},
              "Pictures of each candidate's views");
-    list.add("view_selection", o.view_selection,
-             std::vector<std::pair<std::string, ViewSelection>>{
-                 {"largest-spread", ViewSelection::largestSpread},
-                 {"spread", ViewSelection::spread},
-                 {"largest", ViewSelection::largest},
-                 {"random", ViewSelection::random}},
-             "Which views, of those the map keeps");
-    list.add("seed", o.seed, {0, 4e9}, "Seed of random views");
+    list.forExperts();
+    list.add("ask_again", o.ask_again, "Also ask about instances that have a decision");
+    list.add("max_categories", o.max_categories, {1, 100}, "Candidates of a question");
     list.add("crop_margin", o.crop_margin, {0, 10},
              "Margin around the object, in shares of its longer side");
     list.add("picture_size", o.picture_size, {64, 8192}, "Longer side of a picture [pixels]");
@@ -146,6 +144,8 @@ void declare(OptionList& list, DisambiguationOptions& o)
              "Evidence of an answer, as a multiple of all evidence before; above 1 it wins");
     list.add("prompt_price", o.prompt_price, {0, INF}, "Price of a million tokens of questions");
     list.add("answer_price", o.answer_price, {0, INF}, "Price of a million tokens of answers");
+    list.retire("view_selection");
+    list.retire("seed");
 }
 
 /** What is wrong with an INI. */
@@ -211,6 +211,7 @@ struct PluginSection
         options.add("class", className, object->description(), OptionList::anyValue);
         options.add("plugin", library, "Library of the class; empty: it is a shipped one");
         if (declareOthers) declareOthers(options);
+        options.forExperts(false);
         object->declareOptions(options);
         options.load(ini, section, problems.settings);
     }
@@ -315,24 +316,25 @@ MapperConfig::MapperConfig(const Ini& ini, Purpose purpose, const Tell& tell)
     association = associationSection.object;
     disambiguator = disambiguationSection.object;
 
-    const auto print = [&] {
+    const std::vector<std::pair<const char*, const OptionList*>> lists = {
+        {"voxeland", &inputList},
+        {"map", &mapList},
+        {"converter", &converterSection.options},
+        {"association", &associationSection.options},
+        {"refinement", &refinementList},
+        {"disambiguation", &disambiguationSection.options}};
+    const auto print = [&](OptionList::Keys keys) {
         std::ostringstream out;
-        inputList.print(out, "voxeland");
-        out << "\n";
-        mapList.print(out, "map");
-        out << "\n";
-        converterSection.options.print(out, "converter");
-        out << "\n";
-        associationSection.options.print(out, "association");
-        out << "\n";
-        refinementList.print(out, "refinement");
-        out << "\n";
-        disambiguationSection.options.print(out, "disambiguation");
+        for (const auto& [section, list] : lists) {
+            if (list != &inputList) out << "\n";
+            list->print(out, section, keys);
+        }
         return out.str();
     };
-    m_text = print();
+    m_text = print(OptionList::Keys::all);
+    m_commonText = print(OptionList::Keys::common);
     const uint32_t threads = std::exchange(input.threads, 0);
-    m_reproducibleText = print();
+    m_reproducibleText = print(OptionList::Keys::all);
     input.threads = threads;
 }
 }  // namespace voxeland

@@ -5,7 +5,7 @@ namespace voxeland
 {
 void declareClusteringOptions(OptionList& list, ClusteringOptions& o)
 {
-    list.add("cluster", o.enabled, "Keep only the main cluster of a mask's 3D points");
+    list.forExperts();
     list.add("cluster_cell", o.cell, {1, 100}, "Edge of the coarse grid's cells [voxels]");
     list.add("cluster_radius", o.radius, {1, 10},
              "Cells up to this far along each axis are neighbours [cells]");
@@ -16,5 +16,7 @@ void declareClusteringOptions(OptionList& list, ClusteringOptions& o)
              "... or this share of all the mask's points, whichever is less");
     list.add("min_points", o.min_points, {1, 1e6},
              "Masks with fewer valid depth pixels are left out [pixels]");
+    // Of a mask's 3D points, all but the main cluster are left out.
+    list.addAblation({{"clustering", o.enabled, "cluster"}});
 }
 }  // namespace voxeland

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/plugins/OptionList.h"
 
+#include "voxeland/base/joined.h"
 #include "voxeland/base/lowerCase.h"
 #include "voxeland/base/nearestWord.h"
 #include "voxeland/base/numbers.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
+#include <sstream>
 
 namespace voxeland
 {
@@ -27,12 +29,34 @@ bool isPlain(const std::string& text)
         if (text.find(begin) != std::string::npos) return false;
     return printable(text, UNCUT) == text;
 }
+
+/** Reads "true" or "false"; returns what is wrong with the text, empty if nothing. */
+std::string parseBool(const std::string& text, bool& variable)
+{
+    const std::string word = lowerCase(text);
+    const bool yes = word == "true" || word == "yes" || word == "1";
+    const bool no = word == "false" || word == "no" || word == "0";
+    if (!yes && !no) return "is neither true nor false";
+    variable = yes;
+    return {};
+}
+
+std::vector<std::string> namesIn(const std::string& list)
+{
+    std::vector<std::string> names;
+    std::istringstream in(list);
+    for (std::string name; std::getline(in, name, ',');)
+        if (name = trimmed(name); !name.empty()) names.push_back(name);
+    return names;
+}
 }  // namespace
 
 void OptionList::addText(const std::string& key, Printer print, Parser parse,
                          const std::string& comment)
 {
-    m_options.push_back({key, comment, std::move(print), std::move(parse), anyValue, false});
+    const std::string preset = print();
+    m_options.push_back(
+        {key, comment, std::move(print), std::move(parse), anyValue, false, m_forExperts, preset});
 }
 
 void OptionList::add(const std::string& key, std::string& variable, const std::string& comment,
@@ -56,15 +80,7 @@ void OptionList::add(const std::string& key, bool& variable, const std::string& 
 {
     addText(
         key, [&variable] { return variable ? "true" : "false"; },
-        [&variable](const std::string& text) {
-            const std::string word = lowerCase(text);
-            const bool yes = word == "true" || word == "yes" || word == "1";
-            const bool no = word == "false" || word == "no" || word == "0";
-            if (!yes && !no) return "is neither true nor false";
-            variable = yes;
-            return "";
-        },
-        comment);
+        [&variable](const std::string& text) { return parseBool(text, variable); }, comment);
     m_options.back().ofMaps = ofMaps;
 }
 
@@ -109,16 +125,52 @@ void OptionList::add(const std::string& key, double& variable, const Range& rang
     addNumber(key, variable, range, comment);
 }
 
+void OptionList::addAblation(const std::vector<Part>& parts)
+{
+    std::vector<std::string> names;
+    for (const Part& part : parts) names.push_back(part.name);
+    addText(
+        "ablation",
+        [parts] {
+            std::vector<std::string> unused;
+            for (const Part& part : parts)
+                if (!part.isUsed) unused.push_back(part.name);
+            return joined(unused, ", ");
+        },
+        [parts, names](const std::string& text) -> std::string {
+            const auto unused = namesIn(text);
+            for (const std::string& name : unused)
+                if (std::find(names.begin(), names.end(), name) == names.end())
+                    return "has no part '" + name + "': there are " + joined(names, ", ");
+            for (const Part& part : parts)
+                part.isUsed = std::find(unused.begin(), unused.end(), part.name) == unused.end();
+            return {};
+        },
+        "Parts of the method to leave out, to see what they are worth, of " + joined(names, ", "));
+    for (const Part& part : parts) {
+        if (part.formerKey.empty()) continue;
+        add(part.formerKey, part.isUsed, "");
+        m_options.back().isFormer = true;
+    }
+}
+
+void OptionList::retire(const std::string& key)
+{
+    addText(
+        key, [] { return std::string(); }, [](const std::string&) { return std::string(); }, "");
+    m_options.back().isFormer = true;
+}
+
 void OptionList::load(const Ini& ini, const std::string& section,
                       std::vector<std::string>& problems)
 {
     std::vector<std::string> known;
-    for (const Option& o : m_options) known.push_back(o.key);
+    for (const Option& o : m_options)
+        if (!o.isFormer) known.push_back(o.key);
     for (const std::string& key : ini.keys(section)) {
         const auto isKey = [&](const std::string& name) {
             return lowerCase(name) == lowerCase(key);
         };
-        if (std::any_of(m_retired.begin(), m_retired.end(), isKey)) continue;
         const auto option = std::find_if(m_options.begin(), m_options.end(),
                                          [&](const Option& o) { return isKey(o.key); });
         if (option == m_options.end()) {
@@ -153,11 +205,14 @@ std::optional<std::string> OptionList::printedFor(const Option& option, const In
     return written.value_or(option.ofMaps(value) ? value : "");
 }
 
-void OptionList::print(std::ostream& out, const std::string& section) const
+void OptionList::print(std::ostream& out, const std::string& section, Keys keys) const
 {
     out << "[" << section << "]\n";
     for (const Option& o : m_options) {
-        out << "# " << o.comment << "\n" << o.key << " = " << o.printed.value_or(o.print()) << "\n";
+        const std::string value = o.printed.value_or(o.print());
+        const bool isLeftOut = keys == Keys::common && o.isForExperts && value == o.preset;
+        if (!o.isFormer && !isLeftOut)
+            out << "# " << o.comment << "\n" << o.key << " = " << value << "\n";
     }
 }
 }  // namespace voxeland

@@ -62,6 +62,10 @@ void CDnnConverter::declareOptions(OptionList& options)
     options.add("config", m_files.config, "Description of a frozen graph (.pbtxt); empty: none");
     options.add("labels", m_labels,
                 "File of class names; empty: those in the model, COCO's for Mask R-CNN");
+    options.add("score_threshold", m_limits.score, {0, 1}, "Least score of a detection");
+    options.add("classes", m_classes, "Names of the classes to use, with commas; empty: all",
+                OptionList::anyValue);
+    options.forExperts();
     options.add("layout", m_layout,
                 Words<OutputLayout>{{"auto", OutputLayout::automatic},
                                     {"yolov5", OutputLayout::yolov5},
@@ -72,13 +76,10 @@ void CDnnConverter::declareOptions(OptionList& options)
                 "Width of the network's input; 0: the model says, or 640, or the image's for Mask "
                 "R-CNN [pixels]");
     options.add("input_height", m_inputHeight, {0, 8192}, "Its height, likewise [pixels]");
-    options.add("score_threshold", m_limits.score, {0, 1}, "Least score of a detection");
     options.add("nms_threshold", m_limits.overlap, {0, 1},
                 "Of boxes of a class with a greater intersection over union, the best is kept");
     options.add("mask_threshold", m_limits.mask, {0.01, 0.99},
                 "Least probability of a pixel of a mask");
-    options.add("classes", m_classes, "Names of the classes to use, with commas; empty: all",
-                OptionList::anyValue);
     options.add("top_classes", m_topClasses, {0, 1e6},
                 "Keep so many of the most probable classes of each detection; 0: all");
     options.add("backend", m_device.backend, backendWords(), "What runs the network");

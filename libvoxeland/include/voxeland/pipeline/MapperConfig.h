@@ -105,10 +105,12 @@ class MapperConfig
     /** All sections with all keys, effective values and comments: an INI that reads back as this.
      */
     [[nodiscard]] const std::string& text() const { return m_text; }
+    /** text() without the keys that few users change, as far as they have their defaults. */
+    [[nodiscard]] const std::string& commonText() const { return m_commonText; }
     /** text() without what cannot change the resulting map (threads): stored with the map. */
     [[nodiscard]] const std::string& reproducibleText() const { return m_reproducibleText; }
 
  private:
-    std::string m_text, m_reproducibleText;
+    std::string m_text, m_commonText, m_reproducibleText;
 };
 }  // namespace voxeland

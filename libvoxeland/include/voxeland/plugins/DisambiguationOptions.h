@@ -5,15 +5,6 @@
 
 namespace voxeland
 {
-/** How the views that illustrate a candidate category are chosen among those kept. */
-enum class ViewSelection
-{
-    largestSpread,  //!< good ones, each from another side
-    spread,         //!< the best one, then those farthest apart in direction
-    largest,        //!< the best ones, see InstanceView::quality()
-    random          //!< any, by a seed
-};
-
 /** Section [disambiguation] without the back-end's own keys: what is asked, and what an answer is
  * worth. */
 struct DisambiguationOptions
@@ -24,8 +15,6 @@ struct DisambiguationOptions
     uint32_t max_questions = 0;       //!< of a run, the most uncertain first; 0: no limit
     uint32_t max_categories = 3;      //!< candidates of a question
     uint32_t views_per_category = 3;  //!< M in the paper
-    ViewSelection view_selection = ViewSelection::largestSpread;
-    uint32_t seed = 1;            //!< of random views
     double crop_margin = 0.25;    //!< around the object, in shares of its longer side
     uint32_t picture_size = 512;  //!< longer side of a picture [pixels]
     bool whole_frame = false;     //!< also show the best view's whole frame

@@ -73,9 +73,22 @@ class OptionList
             comment + ": " + allowed);
     }
 
+    /** A part of the method, which can be left out. */
+    struct Part
+    {
+        std::string name;
+        bool& isUsed;
+        std::string formerKey = {};  //!< that switched it in earlier versions; empty: none
+    };
+    /** The key `ablation`: which of these parts are left out, to see what they are worth. */
+    void addAblation(const std::vector<Part>& parts);
+
+    /** What is added from here on is seldom changed, or as often as the rest. */
+    void forExperts(bool seldom = true) { m_forExperts = seldom; }
+
     /** A key of earlier versions: an INI that has it, or a map made with one, is read as before,
      *  but the key does nothing any more. */
-    void retire(const std::string& key) { m_retired.push_back(key); }
+    void retire(const std::string& key);
 
     /** Sets the variables that `section` of the INI names, and adds a sentence to `problems` for
      * every value that is malformed or out of range, and for every unknown key (with the nearest
@@ -86,10 +99,15 @@ class OptionList
      *  say. Without what is the default anyway. */
     [[nodiscard]] const std::vector<std::string>& leftToUser() const { return m_leftToUser; }
 
-    /** Prints the section with all keys, current values and comments, as an INI that can be read
-     * back. Texts are printed as they were written, with the environment's variables by name; those
+    enum class Keys
+    {
+        common,  //!< and those for experts that do not have their default
+        all
+    };
+    /** Prints the section with keys, current values and comments, as an INI that can be read back.
+     * Texts are printed as they were written, with the environment's variables by name; those
      * of which that is not known, only as far as a map may say them. */
-    void print(std::ostream& out, const std::string& section) const;
+    void print(std::ostream& out, const std::string& section, Keys keys = Keys::all) const;
 
  private:
     using Printer = std::function<std::string()>;
@@ -103,6 +121,9 @@ class OptionList
         Parser parse;
         OfMaps ofMaps;
         bool isText;
+        bool isForExperts;
+        std::string preset;                                 //!< what it prints by default
+        bool isFormer = false;                              //!< read, but not printed
         std::optional<std::string> printed = std::nullopt;  //!< instead of the value
     };
 
@@ -115,6 +136,7 @@ class OptionList
                    const std::string& comment);
 
     std::vector<Option> m_options;
-    std::vector<std::string> m_retired, m_leftToUser;
+    std::vector<std::string> m_leftToUser;
+    bool m_forExperts = false;
 };
 }  // namespace voxeland
