@@ -16,7 +16,6 @@
 #include "voxeland/base/trimmed.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -115,9 +114,9 @@ void checkArguments(Arguments& arguments)
     if (arguments.categories.isSet() &&
         (!arguments.predictions.isSet() || arguments.wantsAnnotation()))
         throw ConfigurationError("--categories needs --predictions with a file");
-    if (arguments.depthScale.isSet() &&
-        !(arguments.depthScale.value() > 0 && std::isfinite(arguments.depthScale.value())))
-        throw ConfigurationError("--depth-scale must be positive");
+    if (arguments.depthScale.isSet() && !isDepthScale(arguments.depthScale.value()))
+        throw ConfigurationError("--depth-scale " + numberText(arguments.depthScale.value()) +
+                                 " cannot be: " + DEPTH_SCALES);
 }
 
 /** The camera that an option gives, if it is set. */

@@ -179,7 +179,8 @@ TEST_F(Rgbd2Rawlog, wrongUsageEndsWithOne)
     expectSentence(import({"--every", "0"}), 1, "every");
     expectSentence(import({"--images", "nowhere"}), 1, "nowhere");
     expectSentence(import({"--check"}), 1, "--check");
-    expectSentence(import({"--depth-scale", "0"}), 1, "--depth-scale");
+    for (const char* scale : {"0", "-1000", "1e300", "1e-300", "0.99", "1000001"})
+        expectSentence(import({"--depth-scale", scale}), 1, "--depth-scale");
     expectSentence(import({"--intrinsics", "525,525"}), 1, "525,525,319.5,239.5");
     expectSentence(import({"--predictions", "gt"}), 1, "no annotation");
     expectSentence(import({"--predictions", "gt", "--categories", "names.csv"}), 1,

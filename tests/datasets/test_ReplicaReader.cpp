@@ -100,6 +100,12 @@ TEST_F(ReplicaReaderTest, SaysWhatIsWrong)
     expectFailure("has no 'camera'");
     test::writeFile(m_folder.file("cam_params.json"), "{");
     expectFailure("not valid JSON");
+    for (const char* scale : {"1e300", "1e-300"}) {
+        std::string parameters = PARAMETERS;
+        parameters.replace(parameters.find("6553.5"), 6, scale);
+        test::writeFile(m_folder.file("cam_params.json"), parameters);
+        expectFailure("a depth scale of 1e");
+    }
     fs::remove(scene() / "traj.txt");
     expectFailure("traj.txt");
     fs::remove_all(scene() / "results");

@@ -11,6 +11,7 @@
 #include "observations/MaskCamera.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/joined.h"
+#include "voxeland/base/numbers.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
@@ -24,6 +25,9 @@ void RgbdDatasetReader::setUp(std::vector<DatasetFrame> frames, const DatasetCam
     m_frames = std::move(frames);
     m_cameras = cameras;
     m_cameras.depthScale = m_options.depthScale.value_or(cameras.depthScale);
+    if (!isDepthScale(m_cameras.depthScale))
+        throw InputError("a depth scale of " + numberText(m_cameras.depthScale) +
+                         " cannot be: " + DEPTH_SCALES + ": give the right one with --depth-scale");
     m_cameras.depth = m_options.camera.value_or(cameras.depth);
     if (cameras.registered) m_cameras.colour = m_cameras.depth;
     m_cameras.colour = m_options.colourCamera.value_or(m_cameras.colour);

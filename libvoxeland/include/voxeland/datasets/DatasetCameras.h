@@ -36,12 +36,20 @@ struct PinholeCamera
     ImageSize size{};                    //!< of its images; 0x0: not known
 };
 
+/** What depth scales there are, for messages. Depth images have 16 bits: of another scale all
+ * depths would be beyond any room, or nearer than any camera sees. */
+constexpr auto DEPTH_SCALES = "depth images are in metres (1) to micrometres (1000000)";
+[[nodiscard]] inline bool isDepthScale(double scale)
+{
+    return scale >= 1 && scale <= 1e6;
+}
+
 /** What a dataset says of the two cameras that took its frames, both at the same place. */
 struct DatasetCameras
 {
     PinholeCamera depth, colour;
     bool registered = true;    //!< both images show the same, pixel by pixel
-    double depthScale = 1000;  //!< numbers in a depth image that make a metre
+    double depthScale = 1000;  //!< numbers in a depth image that make a metre, see isDepthScale()
     /** Sizes the dataset's images have as they were recorded: where a camera's size is not known
      *  and its centre is the middle of one of these, it is that. */
     std::vector<ImageSize> recordedSizes{};
