@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "files/OutputPart.h"
 #include "support/TestFiles.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/files/AtomicFile.h"
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <functional>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -167,9 +169,117 @@ TEST(AtomicFile, noticesAFullDisk)
 TEST(AtomicFile, aLinkStaysALink)
 {
     const TemporaryFolder folder;
-    test::writeFile(folder.file("real"), "old");
-    fs::create_symlink(folder.file("real"), folder.file("link"));
-    writeText(folder.file("link"), "new");
-    EXPECT_TRUE(fs::is_symlink(folder.file("link")));
-    EXPECT_EQ(test::readFile(folder.file("real")), "new");
+    fs::create_directory(folder.file("there"));
+    test::writeFile(folder.file("there/real"), "old");
+    fs::create_symlink("there/real", folder.file("link"));
+    fs::create_symlink("there/new", folder.file("dangling"));
+    fs::create_symlink("dangling", folder.file("to_it"));
+    for (const std::string& name : {folder.file("link"), folder.file("to_it")}) {
+        checkWritable(name);
+        writeText(name, "new");
+        EXPECT_TRUE(fs::is_symlink(name)) << name;
+        EXPECT_EQ(test::readFile(name), "new");
+    }
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder.file("there/new"))));
+    EXPECT_EQ(filesIn(folder.file("there")), 2U);
+}
+
+TEST(AtomicFile, aLinkInVainIsNoticedBeforeTheWork)
+{
+    const TemporaryFolder folder;
+    fs::create_symlink("absent/a", folder.file("link"));
+    fs::create_symlink("loop", folder.file("loop"));
+    EXPECT_EQ(complaint(folder.file("link")), "cannot write " + folder.file("link") +
+                                                  ": there is no folder " + folder.file("absent") +
+                                                  ": create it first");
+    EXPECT_THROW(checkWritable(folder.file("loop")), OutputError);
+    EXPECT_TRUE(fs::is_symlink(folder.file("link")) && fs::is_symlink(folder.file("loop")));
+}
+
+TEST(AtomicFile, aDeviceIsWrittenThroughALink)
+{
+    const TemporaryFolder folder;
+    fs::create_symlink("/dev/full", folder.file("full"));
+    EXPECT_NE(complaint(folder.file("full")).find("No space left on device"), std::string::npos);
+    EXPECT_TRUE(fs::is_symlink(folder.file("full")));
+    EXPECT_EQ(filesIn(folder.path()), 1U);
+}
+
+namespace
+{
+/** Runs something in a process of its own, whose standard output is a descriptor or closed (-1).
+ *  \return its exit code: 0 if nothing was thrown */
+int withStandardOutput(int descriptor, const std::function<void()>& action)
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        if (descriptor < 0)
+            close(STDOUT_FILENO);
+        else
+            dup2(descriptor, STDOUT_FILENO);
+        try {
+            action();
+        } catch (const OutputError&) {
+            _exit(5);
+        }
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+}  // namespace
+
+TEST(AtomicFile, standardOutputIsWrittenWhateverItIs)
+{
+    const TemporaryFolder folder;
+    const std::string link = folder.file("stdout");
+    fs::create_symlink("/proc/self/fd/1", link);
+    const auto write = [&] { writeText(link, "text"); };
+
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    EXPECT_EQ(withStandardOutput(ends[1], write), 0);
+    char got[5] = "";
+    EXPECT_EQ(read(ends[0], got, sizeof(got)), 4);
+    EXPECT_STREQ(got, "text");
+    close(ends[0]);
+    close(ends[1]);
+
+    EXPECT_EQ(withStandardOutput(-1, write), 5);
+    EXPECT_TRUE(fs::is_symlink(link)) << "nothing takes the place of what is closed";
+    EXPECT_EQ(filesIn(folder.path()), 1U);
+}
+
+TEST(AtomicFile, unfinishedPartsCanBeRemovedAtOnce)
+{
+    const TemporaryFolder folder;
+    test::writeFile(folder.file("old"), "old");
+    const int exitCode = withStandardOutput(STDERR_FILENO, [&] {
+        AtomicFile finished(folder.file("finished"));
+        test::writeFile(finished.part(), "whole");
+        finished.commit();
+        const AtomicFile unasked(folder.file("unasked"));
+        AtomicFile file(folder.file("old"));
+        test::writeFile(file.part(), "half");
+        OutputPart tree(folder.file("tree"), OutputPart::Kind::folder);
+        fs::create_directories(tree.path() + "/a/b");
+        fs::create_symlink(folder.path(), tree.path() + "/a/link");
+        for (int i = 0; i < 500; ++i)
+            test::writeFile(tree.path() + "/a/" + std::to_string(i) + std::string(100, 'n'), "");
+        removeUnfinishedParts();
+        _exit(filesIn(folder.path()) == 2 ? 0 : 1);
+    });
+    EXPECT_EQ(exitCode, 0);
+    EXPECT_EQ(test::readFile(folder.file("finished")), "whole");
+    EXPECT_EQ(test::readFile(folder.file("old")), "old");
+}
+
+TEST(AtomicFile, partsOfTheParentAreNotThoseOfAChild)
+{
+    const TemporaryFolder folder;
+    AtomicFile file(folder.file("a"));
+    test::writeFile(file.part(), "half");
+    EXPECT_EQ(withStandardOutput(STDERR_FILENO, [] { removeUnfinishedParts(); }), 0);
+    EXPECT_TRUE(fs::exists(file.part()));
 }

@@ -371,6 +371,6 @@ TEST(RgbdRawlogWriter, noticesAFullDiskInTheMiddleOfAFrame)
     } catch (const OutputError& e) {
         EXPECT_EQ(std::string(e.what()),
                   "cannot write " + folder.file("k.rawlog") +
-                      ": File too large: free some space or choose another place");
+                      ": File too large: allow larger files (ulimit -f) or choose another disk");
     }
 }

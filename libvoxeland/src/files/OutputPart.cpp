@@ -2,10 +2,13 @@
 #include "OutputPart.h"
 
 #include "FolderNames.h"
+#include "removeTree.h"
 #include "voxeland/base/RefusedMemory.h"
 #include "writeFailure.h"
 
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
@@ -54,9 +57,34 @@ bool isPartOf(const std::string& name, const std::string& target)
 /** Removes a part, file or folder. */
 void remove(const std::string& part)
 {
-    std::error_code ignored;
-    if (unlink(part.c_str()) != 0 && errno == EISDIR) fs::remove_all(part, ignored);
+    removeTree(AT_FDCWD, part.c_str());
 }
+
+std::atomic_flag namesAreTaken = ATOMIC_FLAG_INIT;
+OutputPart* firstPart = nullptr;  //!< list of all
+
+/** Held while names of parts change: a handler of signals reads them, in this thread or another. */
+class NamesLock
+{
+ public:
+    NamesLock()
+    {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_SETMASK, &all, &m_before);
+        while (namesAreTaken.test_and_set(std::memory_order_acquire)) continue;
+    }
+    ~NamesLock()
+    {
+        namesAreTaken.clear(std::memory_order_release);
+        pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
+    }
+    NamesLock(const NamesLock&) = delete;
+    NamesLock& operator=(const NamesLock&) = delete;
+
+ private:
+    sigset_t m_before{};
+};
 
 /** Removes what writers that were killed have left: parts that nobody holds the lock of. */
 void removeAbandonedParts(const std::string& target)
@@ -74,7 +102,7 @@ void removeAbandonedParts(const std::string& target)
 }
 }  // namespace
 
-OutputPart::OutputPart(const std::string& target, Kind kind) : m_kind(kind)
+OutputPart::OutputPart(const std::string& target, Kind kind) : m_kind(kind), m_process(getpid())
 {
     removeAbandonedParts(target);
     constexpr int MOST_ATTEMPTS = 100;
@@ -88,33 +116,56 @@ OutputPart::OutputPart(const std::string& target, Kind kind) : m_kind(kind)
 OutputPart::~OutputPart()
 {
     if (!m_path.empty()) remove(m_path);
+    setPath({});
     close(m_lock);
+}
+
+/** Under a name, it is in the list of all. */
+void OutputPart::setPath(std::string path)
+{
+    const NamesLock lock;
+    const bool wasNamed = !m_path.empty();
+    m_path.swap(path);
+    if (!wasNamed && !m_path.empty()) {
+        m_next = firstPart;
+        firstPart = this;
+    }
+    if (!wasNamed || !m_path.empty()) return;
+    OutputPart** place = &firstPart;
+    while (*place != this) place = &(*place)->m_next;
+    *place = m_next;
 }
 
 /** \return false, with errno, if that is not possible: EEXIST if it may be under another name */
 bool OutputPart::create(const std::string& path)
 {
-    m_path = path;
-    if (m_kind == Kind::folder && mkdir(path.c_str(), 0777) != 0) {
-        m_path.clear();
-        return false;
-    }
+    setPath(path);  // first: a signal may come at any moment
+    if (take()) return true;
+    const int error = errno;
+    setPath({});
+    errno = error;
+    return false;
+}
+
+/** Creates what has the name now, and locks it. \return false, with errno, as create() */
+bool OutputPart::take()
+{
+    const char* const path = m_path.c_str();
+    if (m_kind == Kind::folder && mkdir(path, 0777) != 0) return false;
     const int flags = m_kind == Kind::folder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT | O_EXCL;
-    m_lock = open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0666);
+    m_lock = open(path, flags | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (m_lock < 0) {
         const int error = errno;
-        if (m_kind == Kind::folder) rmdir(path.c_str());
-        m_path.clear();
+        if (m_kind == Kind::folder) rmdir(path);
         errno = error;
         return false;
     }
     const int refused = flock(m_lock, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
-    if (refused == 0 && isNamed(m_lock, path)) return true;
+    if (refused == 0 && isNamed(m_lock, m_path)) return true;
     // Another writer took it for abandoned before it was locked, and removes it.
     const bool isTaken = refused == 0 || refused == EWOULDBLOCK;
-    if (!isTaken) remove(path);
+    if (!isTaken) remove(m_path);
     close(m_lock);
-    m_path.clear();
     errno = isTaken ? EEXIST : refused;
     return false;
 }
@@ -129,9 +180,16 @@ int OutputPart::moveTo(const std::string& name)
     RefusedMemory::check();
     if (const int error = sync()) return error;
     if (std::rename(m_path.c_str(), name.c_str()) != 0) return errno;
-    m_path.clear();
+    setPath({});
     syncFolderOf(name);
     return 0;
+}
+
+void removeUnfinishedParts()
+{
+    while (namesAreTaken.test_and_set(std::memory_order_acquire)) continue;  // for good
+    for (const OutputPart* part = firstPart; part != nullptr; part = part->m_next)
+        if (part->m_process == getpid()) remove(part->m_path);
 }
 
 bool isNamed(int descriptor, const std::string& path)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
+#include <sys/types.h>
 
 namespace voxeland
 {
@@ -33,13 +34,24 @@ class OutputPart
     [[nodiscard]] int moveTo(const std::string& name);
 
  private:
+    friend void removeUnfinishedParts();
+
     bool create(const std::string& path);
+    bool take();
+    void setPath(std::string path);
     [[nodiscard]] int sync() const;
 
     Kind m_kind;
-    std::string m_path;  //!< empty once it was moved
+    std::string m_path;  //!< empty if there is none, or it was moved
     int m_lock = -1;     //!< descriptor that the lock is held through
+    pid_t m_process;     //!< that it belongs to: not to those that one starts
+    OutputPart* m_next = nullptr;
 };
+
+/** Removes all parts of this process, which is about to end by a signal or at once: no other one
+ * can be created or moved any more. May be called by a handler of signals; it must keep others out
+ * while it runs. */
+void removeUnfinishedParts();
 
 /** Whether what was opened as the descriptor is what has that name now. */
 [[nodiscard]] bool isNamed(int descriptor, const std::string& path);

@@ -16,8 +16,9 @@ const char* remedy(int error)
     switch (error) {
         case ENOSPC:
         case EDQUOT:
-        case EFBIG:
             return "free some space or choose another place";
+        case EFBIG:
+            return "allow larger files (ulimit -f) or choose another disk";
         case EACCES:
         case EPERM:
         case EROFS:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StagedRawlog.h"
 
+#include "files/OutputPlace.h"
 #include "files/writeFailure.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/files/AtomicFile.h"
@@ -62,6 +63,24 @@ void replace(const fs::path& target, const fs::path& waiting)
     if (hasNew) fs::rename(waiting, target);
 }
 
+/** Moves a new file to its place, which a link may name, on another disk as well. May be
+ * interrupted anywhere and done again. */
+void moveFile(const fs::path& waiting, const fs::path& target)
+{
+    if (!isThere(waiting)) return;
+    const std::string place = outputPlaceOf(target.string()).path;
+    std::error_code error;
+    fs::rename(waiting, place, error);
+    if (error == std::errc::cross_device_link) {
+        AtomicFile copy(place);
+        fs::copy_file(waiting, copy.part(), fs::copy_options::overwrite_existing);
+        copy.commit();
+    } else if (error) {
+        throw fs::filesystem_error("", waiting, place, error);
+    }
+    syncFolderOf(place);
+}
+
 /** \param waiting folder of the new one, whose lock is held */
 void moveToPlace(const RawlogFiles& target, const fs::path& waiting)
 {
@@ -69,7 +88,7 @@ void moveToPlace(const RawlogFiles& target, const fs::path& waiting)
     try {
         replace(target.images, ready.images);
         replace(target.sidecar, ready.sidecar);
-        replace(target.rawlog, ready.rawlog);
+        moveFile(ready.rawlog, target.rawlog);
         syncFolderOf(target.rawlog.string());
         fs::remove_all(waiting);
     } catch (const fs::filesystem_error& e) {
@@ -113,6 +132,9 @@ const RawlogFiles& checked(const RawlogFiles& target)
     const std::string file = target.rawlog.string();
     if (target.rawlog.extension() != EXTENSION)
         throw ConfigurationError("the name of the rawlog " + file + " must end in " + EXTENSION);
+    if (outputPlaceOf(file).isDirect)
+        throw OutputError("cannot write " + file +
+                          ": it is a device, but others lie beside a rawlog: name a file");
     checkWritable(file);
     finishReplacing(target);
     if (!fs::exists(target.rawlog) && fs::exists(target.images))

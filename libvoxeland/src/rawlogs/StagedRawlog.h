@@ -14,7 +14,8 @@ class StagedRawlog
 {
  public:
     /** Removes what a run that died may have left there.
-     *  \param file the rawlog to make or to replace, ending in .rawlog
+     *  \param file the rawlog to make or to replace, ending in .rawlog; if it is a link, what it
+     *  points to is replaced, and sidecar and images are beside the link, where readers look
      *  \throws OutputError if it cannot be written, or if the folder for its images exists without
      * that rawlog, ConfigurationError for another ending */
     explicit StagedRawlog(const std::string& file);

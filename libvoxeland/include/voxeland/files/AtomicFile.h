@@ -16,6 +16,7 @@ class AtomicFile
 {
  public:
     /** Nothing is created yet.
+     *  \param target if it is a link, what it points to is written, even if that is not there yet
      *  \throws OutputError if the target's folder does not exist, or the target is a folder, a pipe
      *  that nobody may read, a socket or a disk */
     explicit AtomicFile(const std::string& target);
