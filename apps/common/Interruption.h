@@ -6,7 +6,7 @@
 
 namespace voxeland::apps
 {
-/** Exit code of a program that the user stopped, by Ctrl-C or SIGTERM. */
+/** Exit code of a program that the user stopped, by Ctrl-C, SIGTERM or SIGHUP. */
 constexpr int INTERRUPTED = 130;
 
 /** Thrown to end so, with what was kept and how to go on: printed by runProgram(). */
@@ -21,14 +21,14 @@ struct Interrupted : std::runtime_error
 };
 
 /** Lets a program end in good order when the user stops it. While an object of this class lives,
- * the first SIGINT or SIGTERM is only noted: the program asks wasRequested() now and then, saves
- * what it has and throws Interrupted. The second one ends the program at once. One object at a
- * time. */
+ * the first SIGINT, SIGTERM or SIGHUP is only noted: the program asks wasRequested() now and then,
+ * saves what it has and throws Interrupted. The second one ends the program at once, see
+ * endBySignal(). One object at a time. */
 class Interruption
 {
  public:
     Interruption();
-    /** Both signals end the program again. */
+    /** The signals end the program again. */
     ~Interruption();
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;

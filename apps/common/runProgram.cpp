@@ -2,6 +2,7 @@
 #include "common/runProgram.h"
 
 #include "common/Interruption.h"
+#include "common/Signals.h"
 #include "common/say.h"
 #include "voxeland/base/RefusedMemory.h"
 #include "voxeland/base/errors.h"
@@ -12,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <fcntl.h>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -45,9 +47,25 @@ constexpr int UNREADABLE = 3;  // exit code
     _exit(UNREADABLE);
 }
 
+/** Takes the numbers of standard streams that are closed: the next file that was opened would get
+ * them, and what is printed would go there. */
+void holdStandardStreams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/", O_PATH | O_CLOEXEC));
+}
+
+/** \throws OutputError if nothing can be printed */
+void checkStandardOutput()
+{
+    if ((fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) == O_RDONLY)
+        throw OutputError("cannot write to standard output: it is closed: redirect it to a file");
+}
+
 int runWatched(const char* program, const std::function<int()>& body)
 {
     try {
+        checkStandardOutput();
         const int exitCode = body();
         RefusedMemory::check();
         if (!std::cout.flush())
@@ -103,6 +121,8 @@ std::string sentence(const std::exception& e)
 
 int runProgram(const char* program, const std::function<int()>& body)
 {
+    holdStandardStreams();
+    setUpSignals();
     RefusedMemory::watch();
     std::set_terminate(&endWithoutMemory);
     try {

@@ -21,7 +21,7 @@ class Stopping : public ::testing::Test
  protected:
     void SetUp() override { writeRawlog(m_folder.file("in.rawlog"), smallFrames(120)); }
 
-    /** Runs rawlog2voxeland, and stops it some time after it has begun to listen for that.
+    /** Runs rawlog2voxeland, and stops it some time after it has begun to map.
      *  \param signals `kill` commands; $pid is the program */
     [[nodiscard]] ProgramResult stopped(const std::string& seconds,
                                         const std::string& signals) const
@@ -30,8 +30,7 @@ class Stopping : public ::testing::Test
             BIN +
             "rawlog2voxeland -i in.rawlog -o out.voxeland --export-dir exported --to 110 "
             "--timing 'the times.csv' --set map.resolution=0.02 & pid=$!\n"
-            // Bit 2 of the caught signals is SIGINT.
-            "until grep -q 'SigCgt:.*[2367abef]$' /proc/$pid/status; do sleep 0.01; done\n"
+            "until ls -l /proc/$pid/fd | grep -q in.rawlog || ! kill -0 $pid; do sleep 0.01; done\n"
             "sleep " +
             seconds + "; " + signals + "; wait $pid";
         return runProgramIn(m_folder.path().string(), "bash", {"-c", script});
@@ -65,6 +64,16 @@ TEST_F(Stopping, TheCommandThatIsPrintedGoesOnToTheSameMap)
         {"-i", "in.rawlog", "-o", "whole.voxeland", "--to", "110", "--set", "map.resolution=0.02"});
     ASSERT_EQ(whole.exitCode, 0) << whole.errors;
     EXPECT_EQ(readFile(m_folder.file("out.voxeland")), readFile(m_folder.file("whole.voxeland")));
+}
+
+TEST_F(Stopping, TerminationAndHangUpStopAsAnInterruptionDoes)
+{
+    for (const char* signal : {"TERM", "HUP"}) {
+        const auto result = stopped("0.1", std::string("kill -") + signal + " $pid");
+        EXPECT_EQ(result.exitCode, 130) << signal;
+        EXPECT_NE(result.errors.find("rawlog2voxeland: interrupted"), std::string::npos)
+            << result.errors;
+    }
 }
 
 TEST_F(Stopping, TheSecondTimeEndsAtOnceAndLeavesNothing)
