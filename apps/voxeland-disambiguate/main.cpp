@@ -17,6 +17,7 @@
 #include "disambiguation/Revision.h"
 #include "disambiguation/ViewChoice.h"
 #include "disambiguation/ViewPictures.h"
+#include "files/OutputPart.h"
 #include "plugins/PluginLoader.h"
 #include "rawlogs/RawlogFiles.h"
 #include "voxeland/base/counted.h"
@@ -173,12 +174,20 @@ void save(Arguments& arguments, const CVoxelandMap& map, AnswerJournal& journal)
     journal.discard();
 }
 
+/** What there is of a run that fails after its map was saved. */
+void sayKept(const Arguments& arguments)
+{
+    std::cout << "what was answered so far is in " << printable(arguments.output.value(), UNCUT)
+              << ": run the same command again to go on\n";
+}
+
 /** Ends the program without waiting for what is being asked. */
 [[noreturn]] void endInterrupted(size_t answered)
 {
     std::cout.flush();
     std::cerr << "\nvoxeland-disambiguate: interrupted; keeping " << counted(answered, "answer")
               << ": run the same command again to go on\n";
+    removeUnfinishedParts();  // of threads that write what they were answered
     std::_Exit(apps::INTERRUPTED);
 }
 
@@ -212,7 +221,13 @@ DisambiguationReport askAll(Arguments& arguments, CVoxelandMap& map, const Mappe
     if (arguments.report.isSet())
         writeAtomically(arguments.report.value(),
                         [&](std::ostream& out) { out << report.asJson(map.map()); });
-    asking.rethrow();
+    try {
+        asking.rethrow();
+    } catch (...) {
+        std::cout << report.asText();
+        sayKept(arguments);
+        throw;
+    }
     return report;
 }
 
@@ -271,11 +286,11 @@ int ask(Arguments& arguments, CVoxelandMap& map, const std::vector<std::string>&
     std::cout << report.asText();
     sayTooSmall(map.map(), config.disambiguation);
     sayWaiting(report, config.disambiguator->howToAnswer(), command);
-    for (const ReportedQuestion& q : report.questions())
-        if (q.outcome.failed)
-            throw DisambiguationError("some questions have no answer: " + q.outcome.problem +
-                                          " (run the same command again to ask them)",
-                                      false);
+    for (const ReportedQuestion& q : report.questions()) {
+        if (!q.outcome.failed) continue;
+        sayKept(arguments);
+        throw DisambiguationError("some questions have no answer: " + q.outcome.problem, false);
+    }
     return 0;
 }
 

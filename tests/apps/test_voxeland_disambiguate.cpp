@@ -217,6 +217,10 @@ TEST_F(Disambiguate, FailuresEndWithOneSentenceAndKeepWhatWasAnswered)
     for (const char* behaviour : {"401", "500", "404"}) {
         const auto result = run(at(server.url(behaviour)));
         EXPECT_EQ(result.exitCode, 2) << behaviour;
+        EXPECT_NE(result.output.find("what was answered so far is in " + file("out.voxeland") +
+                                     ": run the same command again"),
+                  std::string::npos)
+            << result.output;
         EXPECT_EQ(result.errors.find("voxeland-disambiguate: "),
                   result.errors.rfind("voxeland-dis"))
             << result.errors;
@@ -254,6 +258,26 @@ TEST_F(Disambiguate, ADryRunWritesTheQuestionsAndAsksNobody)
             EXPECT_TRUE(fs::exists(folder / p.at("file").get<std::string>()));
     }
     EXPECT_FALSE(fs::exists(file("out.voxeland")));
+}
+
+TEST_F(Disambiguate, ADryRunThatFailsSaysWhatIsComplete)
+{
+    const auto dry = [&](const std::string& folder) {
+        return run(with(at("http://127.0.0.1:9/v1"),
+                        {"--dry-run", file(folder), "--set", "disambiguation.max_questions=2"}),
+                   "");
+    };
+    ASSERT_EQ(dry("dry").exitCode, 0);
+    const json questions = json::parse(test::readFile(file("dry/questions.json")))["questions"];
+    const std::string first = questions[0]["folder"], second = questions[1]["folder"];
+    fs::create_directories(file("again/" + second + "/prompt.txt"));
+    const auto result = dry("again");
+    EXPECT_EQ(result.exitCode, 5);
+    EXPECT_NE(result.errors.find(second + "/prompt.txt"), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find("; complete: " + first + "\n"), std::string::npos)
+        << result.errors;
+    fs::create_directories(file("never/" + first + "/prompt.txt"));
+    EXPECT_NE(dry("never").errors.find("; no question is complete\n"), std::string::npos);
 }
 
 TEST_F(Disambiguate, TheBaselineChangesNoCategory)

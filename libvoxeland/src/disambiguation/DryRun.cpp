@@ -2,8 +2,10 @@
 #include "DryRun.h"
 
 #include "Questions.h"
+#include "voxeland/base/errors.h"
 #include "voxeland/files/AtomicFile.h"
 #include "voxeland/files/OutputFolder.h"
+#include "voxeland/files/WrittenFiles.h"
 
 #include <mrpt/core/format.h>
 #include <nlohmann/json.hpp>
@@ -61,8 +63,17 @@ void writeQuestions(const std::vector<DisambiguationQuestion>& questions,
     const Estimate e = estimate(questions, options);
     json_t json = {
         {"questions", json_t::array()}, {"estimated_tokens", e.tokens}, {"estimated_cost", e.cost}};
-    for (const DisambiguationQuestion& q : questions) json["questions"].push_back(write(q, folder));
-    writeAtomically(folder + "/questions.json",
-                    json.dump(2, ' ', false, json_t::error_handler_t::replace) + "\n");
+    WrittenFiles complete;
+    try {
+        for (const DisambiguationQuestion& q : questions) {
+            json["questions"].push_back(write(q, folder));
+            complete.add(json["questions"].back()["folder"]);
+        }
+        writeAtomically(folder + "/questions.json",
+                        json.dump(2, ' ', false, json_t::error_handler_t::replace) + "\n");
+    } catch (const OutputError& e) {
+        throw OutputError(
+            e.what() + (complete.names().empty() ? "; no question is complete" : complete.told()));
+    }
 }
 }  // namespace voxeland

@@ -20,7 +20,8 @@ Estimate estimate(const std::vector<DisambiguationQuestion>& questions,
 
 /** Writes what would be asked: `questions.json` with everything but the pictures, and for each
  * question a folder `instance-ID` with `prompt.txt` and its pictures, `picture-01.jpg` and so on.
- *  \param folder made if missing \throws OutputError */
+ *  \param folder made if missing
+ *  \throws OutputError that names the questions whose folders are complete */
 void writeQuestions(const std::vector<DisambiguationQuestion>& questions,
                     const DisambiguationOptions& options, const std::string& folder);
 }  // namespace voxeland
