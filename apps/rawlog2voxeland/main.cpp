@@ -11,7 +11,6 @@
 #include "pipeline/MappingTrace.h"
 #include "pipeline/TimingLog.h"
 #include "plugins/PluginLoader.h"
-#include "rawlogs/RawlogFiles.h"
 #include "voxeland/base/counted.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/numbers.h"
@@ -41,7 +40,8 @@ const char* const DESCRIPTION =
 
 Without -c the defaults hold: predictions recorded in the rawlog or in NAME.instances.rawlog beside it,
 the paper's association, 5 cm voxels. --dump-config prints the keys of the INI with their meaning.
-Ctrl-C saves the map of the frames so far and prints the command that goes on; a second one ends at once.
+Ctrl-C, SIGTERM or SIGHUP saves the map of the frames so far and prints the command that goes on; a
+second one ends at once.
 Per cent and time left count frames, whose number is estimated from what was read of the rawlog.
 Exit codes: 0 done, 1 usage or configuration, 2 plugin, 3 input, 4 nothing to map, 5 output,
 130 interrupted.)";
@@ -261,9 +261,10 @@ int makeMap(Arguments& arguments)
     map->setConfig(config);
     if (arguments.exportDir.isSet()) checkExportFolder(arguments.exportDir.value());
     apps::checkOutputs(
-        {arguments.output.value(), arguments.timing.value(), arguments.trace.value()},
-        {input, RawlogFiles(input).sidecar.string(), arguments.poses.value(),
-         arguments.config.value()});
+        {{arguments.output.value(), arguments.timing.value(), arguments.trace.value()},
+         {},
+         {arguments.exportDir.value()}},
+        {{arguments.poses.value(), arguments.config.value()}, {input}, {}});
 
     const Run run = mapAndSave(arguments, *map);
     if (arguments.timing.isSet())

@@ -19,7 +19,6 @@
 #include "disambiguation/ViewPictures.h"
 #include "files/OutputPart.h"
 #include "plugins/PluginLoader.h"
-#include "rawlogs/RawlogFiles.h"
 #include "voxeland/base/counted.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/printable.h"
@@ -89,10 +88,9 @@ void checkArguments(Arguments& arguments)
         throw ConfigurationError("give the rawlog the map was made from with -i (see --help)");
     if (arguments.output.value().empty() && !arguments.dryRun.isSet())
         throw ConfigurationError("give a map to write with -o, or --dry-run (see --help)");
-    const std::string& input = arguments.input.value();
-    apps::checkOutputs({arguments.output.value(), arguments.report.value()},
-                       {arguments.map.value(), input,
-                        asks ? RawlogFiles(input).sidecar.string() : "", arguments.config.value()});
+    apps::checkOutputs(
+        {{arguments.output.value(), arguments.report.value()}, {}, {arguments.dryRun.value()}},
+        {{arguments.map.value(), arguments.config.value()}, {arguments.input.value()}, {}});
 }
 
 int undo(Arguments& arguments, CVoxelandMap& map)

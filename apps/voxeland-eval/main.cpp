@@ -83,9 +83,9 @@ void checkArguments(Arguments& arguments)
         throw ConfigurationError("--match-radius must not be negative");
     std::vector<std::string> inputs = arguments.maps.values();
     inputs.push_back(arguments.labels.value());
-    inputs.insert(inputs.end(), arguments.truths.values().begin(), arguments.truths.values().end());
     apps::checkOutputs(
-        {arguments.report.value(), arguments.curve.value(), arguments.curvePng.value()}, inputs);
+        {{arguments.report.value(), arguments.curve.value(), arguments.curvePng.value()}, {}, {}},
+        {inputs, {}, arguments.truths.values()});
 }
 
 EvaluationProtocol protocolOf(Arguments& arguments)

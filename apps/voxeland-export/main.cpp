@@ -194,16 +194,14 @@ void check(const Arguments& arguments)
         static_cast<void>(apps::parseHeights(arguments.height));
         complainUnless(&Exporter::takesHeights, "--height goes");
     }
-    std::vector<std::string> files;
+    apps::NamedFiles outputs;
     for (const auto& [exporter, output] : asked) {
         checkEnding(exporter, output);
-        if (exporter.writesFolder())
-            makeOutputFolder(output);
-        else
-            files.push_back(output);
-        if (exporter.beside != nullptr) files.push_back(exporter.beside(output));
+        if (exporter.writesFolder()) makeOutputFolder(output);
+        (exporter.writesFolder() ? outputs.folders : outputs.files).push_back(output);
+        if (exporter.beside != nullptr) outputs.files.push_back(exporter.beside(output));
     }
-    apps::checkOutputs(files, {arguments.map.value()});
+    apps::checkOutputs(outputs, {{arguments.map.value()}, {}, {}});
 }
 
 int run(int argc, char** argv)

@@ -86,8 +86,9 @@ int run(int argc, char** argv)
     Arguments arguments;
     if (!arguments.parse(argc, argv)) return 0;
     const std::string& output = arguments.output.value();
-    apps::checkOutputs({output},
-                       {arguments.map.value(), arguments.timing.value(), arguments.labels.value()});
+    apps::checkOutputs(
+        {{output}, {}, {}},
+        {{arguments.map.value(), arguments.timing.value(), arguments.labels.value()}, {}, {}});
     const ThreeLibrary three = ThreeLibrary::fromFolder(arguments.three.value());
     ReportOptions options;
     if (arguments.up.isSet()) options.up = apps::parseDirection(arguments.up);

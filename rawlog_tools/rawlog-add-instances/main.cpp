@@ -5,6 +5,7 @@
 #include "common/Progress.h"
 #include "common/SetArgument.h"
 #include "common/TrustPathsArgument.h"
+#include "common/checkOutputs.h"
 #include "common/runProgram.h"
 #include "datasets/RawlogPredictions.h"
 #include "datasets/UnfinishedPredictions.h"
@@ -70,6 +71,11 @@ void check(const Arguments& arguments)
         throw ConfigurationError("--categories goes with --coco; networks have [converter] labels");
     if (arguments.coco.isSet() && arguments.set.isSet())
         throw ConfigurationError("--set goes with --dnn");
+    apps::checkOutputs(
+        {{}, {arguments.output.value()}, {}},
+        {{arguments.coco.value(), arguments.categories.value(), arguments.dnn.value()},
+         {arguments.input.value()},
+         {}});
 }
 
 /** A file and when it was written; its name alone if it is none. */

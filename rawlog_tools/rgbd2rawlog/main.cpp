@@ -4,6 +4,7 @@
 #include "common/PointArgument.h"
 #include "common/Progress.h"
 #include "common/TrustPathsArgument.h"
+#include "common/checkOutputs.h"
 #include "common/runProgram.h"
 #include "datasets/CalibrationCheck.h"
 #include "datasets/DatasetImport.h"
@@ -117,6 +118,11 @@ void checkArguments(Arguments& arguments)
     if (arguments.depthScale.isSet() && !isDepthScale(arguments.depthScale.value()))
         throw ConfigurationError("--depth-scale " + numberText(arguments.depthScale.value()) +
                                  " cannot be: " + DEPTH_SCALES);
+    apps::checkOutputs({{}, {arguments.output.value()}, {}},
+                       {{arguments.wantsAnnotation() ? "" : arguments.predictions.value(),
+                         arguments.categories.value()},
+                        {},
+                        {arguments.input.value()}});
 }
 
 /** The camera that an option gives, if it is set. */

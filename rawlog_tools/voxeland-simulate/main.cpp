@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/CommandLine.h"
 #include "common/Progress.h"
+#include "common/checkOutputs.h"
 #include "common/runProgram.h"
 #include "simulation/SimulationRun.h"
 #include "voxeland/base/counted.h"
@@ -130,6 +131,7 @@ int run(int argc, char** argv)
 
     const SimulationOptions options = arguments.options();
     const SimulationOutput output = arguments.output();
+    apps::checkOutputs({{}, {output.rawlog}, {output.groundTruthFolder}}, {});
     apps::Progress progress("frames", static_cast<size_t>(std::max(0, options.camera.frames)),
                             !arguments.quiet());
     const auto made =
