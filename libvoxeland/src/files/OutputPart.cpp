@@ -63,17 +63,20 @@ void remove(const std::string& part)
 std::atomic_flag namesAreTaken = ATOMIC_FLAG_INIT;
 OutputPart* firstPart = nullptr;  //!< list of all
 
+/** Keeps other threads from the names of parts, and handlers of signals from this thread. */
+void takeNames(sigset_t& before)
+{
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    while (namesAreTaken.test_and_set(std::memory_order_acquire)) continue;
+}
+
 /** Held while names of parts change: a handler of signals reads them, in this thread or another. */
 class NamesLock
 {
  public:
-    NamesLock()
-    {
-        sigset_t all;
-        sigfillset(&all);
-        pthread_sigmask(SIG_SETMASK, &all, &m_before);
-        while (namesAreTaken.test_and_set(std::memory_order_acquire)) continue;
-    }
+    NamesLock() { takeNames(m_before); }
     ~NamesLock()
     {
         namesAreTaken.clear(std::memory_order_release);
@@ -187,7 +190,8 @@ int OutputPart::moveTo(const std::string& name)
 
 void removeUnfinishedParts()
 {
-    while (namesAreTaken.test_and_set(std::memory_order_acquire)) continue;  // for good
+    sigset_t before;
+    takeNames(before);  // for good
     for (const OutputPart* part = firstPart; part != nullptr; part = part->m_next)
         if (part->m_process == getpid()) remove(part->m_path);
 }

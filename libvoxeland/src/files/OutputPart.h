@@ -49,8 +49,7 @@ class OutputPart
 };
 
 /** Removes all parts of this process, which is about to end by a signal or at once: no other one
- * can be created or moved any more. May be called by a handler of signals; it must keep others out
- * while it runs. */
+ * can be created or moved any more. May be called by a handler of signals. */
 void removeUnfinishedParts();
 
 /** Whether what was opened as the descriptor is what has that name now. */
