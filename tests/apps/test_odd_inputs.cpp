@@ -89,7 +89,9 @@ TEST_F(OddInputs, onlyRegularFilesAreRead)
     const std::string pipe = file("pipe.rawlog"), from = map();
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     using Command = std::pair<std::string, std::vector<std::string>>;
-    for (const std::string& odd : {pipe, std::string("/dev/zero"), m_folder.path().string()})
+    const std::string memory = "/proc/self/mem";  // calls itself a regular file
+    for (const std::string& odd :
+         {pipe, std::string("/dev/zero"), memory, m_folder.path().string()})
         for (const auto& [program, arguments] : std::vector<Command>{
                  {"rawlog2voxeland", {"-i", odd, "-o", file("o.voxeland")}},
                  {"rawlog2voxeland", {"-i", rawlog(), "-o", file("o.voxeland"), "--poses", odd}},
@@ -101,7 +103,7 @@ TEST_F(OddInputs, onlyRegularFilesAreRead)
                  {"rawlog-add-instances", {"-i", odd, "--coco", odd, "-o", file("p.rawlog")}},
                  {"rawlog-add-instances", {"-i", rawlog(), "--coco", odd, "-o", file("p.rawlog")}}})
             sentenceOf(3, program, arguments);
-    for (const std::string& odd : {pipe, std::string("/dev/zero")}) {
+    for (const std::string& odd : {pipe, std::string("/dev/zero"), memory}) {
         sentenceOf(1, "rawlog2voxeland", {"--check-config", "-c", odd});
         sentenceOf(1, "voxeland-run", {"icp-slam", odd, rawlog()});
         sentenceOf(3, "voxeland-eval", {"-m", from, "--gt", odd});
