@@ -36,7 +36,7 @@ std::string escaped(const std::string& word)
 std::string typed(const std::string& word)
 {
     if (!word.empty() && word.find_first_not_of(PLAIN) == std::string::npos) return word;
-    return printable(word, word.size()) == word ? quoted(word) : escaped(word);
+    return isPrintable(word) ? quoted(word) : escaped(word);
 }
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "common/say.h"
 #include "voxeland/base/RefusedMemory.h"
 #include "voxeland/base/errors.h"
+#include "voxeland/base/hiddenTexts.h"
 
 #include <mrpt/core/exceptions.h>
 
@@ -73,7 +74,7 @@ int runWatched(const char* program, const std::function<int()>& body)
         return exitCode;
     } catch (const Interrupted& e) {
         fail(program, e.what(), INTERRUPTED);
-        if (!e.command.empty()) std::cerr << e.command << "\n";
+        if (!e.command.empty()) std::cerr << withoutHidden(e.command) << "\n";
         return INTERRUPTED;
     } catch (...) {
         // Whatever the lack of memory was taken for.

@@ -4,6 +4,7 @@
 #include "ServerUrl.h"
 #include "voxeland/base/RegisteredClass.h"
 #include "voxeland/base/counted.h"
+#include "voxeland/base/hiddenTexts.h"
 #include "voxeland/files/Json.h"
 
 #include <algorithm>
@@ -59,8 +60,9 @@ void CChatCompletionsDisambiguator::declareOptions(OptionList& options)
     options.add("base_url", m_baseUrl,
                 "Where the server is, as far as /v1; by default Ollama on this machine");
     options.add("model", m_chat.model, "Model to ask, as the server calls it");
-    options.add("api_key_env", m_keyVariable,
-                "Name of the environment variable with the server's key; empty: it needs none");
+    options.addVariableName(
+        "api_key_env", m_keyVariable,
+        "Name of the environment variable with the server's key; empty: it needs none");
     options.add("send_key_unencrypted", m_keyUnencrypted,
                 "Send the key to another machine even if base_url is not https",
                 OptionList::noValue);
@@ -116,13 +118,20 @@ std::vector<std::string> CChatCompletionsDisambiguator::configurationProblems()
     }
     if (m_keyVariable.empty()) return problems;
     const char* const key = std::getenv(m_keyVariable.c_str());
-    if (key != nullptr) m_key = key;
+    if (key == nullptr) {
+        problems.emplace_back(
+            "the environment variable that api_key_env names is not set: export it, or leave "
+            "api_key_env empty; it must be the name of a variable, not the key");
+        return problems;
+    }
+    m_key = key;
+    hideText(m_key, "*");
     const auto isVisible = [](unsigned char c) {
         return c > 0x20 && c < 0x7f && c != '"' && c != '\\';
     };
     if (m_key.empty() || !std::all_of(m_key.begin(), m_key.end(), isVisible))
         problems.emplace_back("the environment variable '" + m_keyVariable +
-                              "' named by api_key_env holds no key: export one, or leave "
+                              "' named by api_key_env holds no key: put one there, or leave "
                               "api_key_env empty");
     if (isOpenToOthers(m_baseUrl) && !m_keyUnencrypted)
         problems.emplace_back("the key would go to " + m_baseUrl +
@@ -180,8 +189,8 @@ DisambiguationAnswer CChatCompletionsDisambiguator::askPatiently(
     } catch (const std::runtime_error& e) {
         throw DisambiguationError(sentence(e.what()), false);
     }
-    answer.text = withoutKey(answer.text);
-    answer.model = answer.model.empty() ? m_chat.model : withoutKey(answer.model);
+    answer.text = withoutHidden(answer.text);
+    answer.model = withoutHidden(answer.model.empty() ? m_chat.model : answer.model);
     answer.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const uint64_t counted = answer.promptTokens + answer.answerTokens;
     m_run->tokens += counted > 0 ? counted : estimatedTokens(question, answer.text);
@@ -226,7 +235,7 @@ DisambiguationError CChatCompletionsDisambiguator::refusal(const HttpReply& repl
 {
     const std::string status = std::to_string(reply.status);
     constexpr size_t LONGEST = 120;
-    std::string message = withoutKey(serverMessage(reply.body));
+    std::string message = withoutHidden(serverMessage(reply.body));
     if (message.back() == '.') message.pop_back();  // the sentence goes on
     const std::string said = "(" + status + "): " + shortened(message, LONGEST);
     const auto remedy = remedyFor(message);
@@ -263,18 +272,9 @@ DisambiguationError CChatCompletionsDisambiguator::refusal(const HttpReply& repl
 std::string CChatCompletionsDisambiguator::sentence(const std::string& clause) const
 {
     constexpr size_t LONGEST = 250;  // more may be said after it
-    return shortened(withoutKey("server " + m_url + " " + clause), LONGEST);
+    return shortened(withoutHidden("server " + m_url + " " + clause), LONGEST);
 }
 
-std::string CChatCompletionsDisambiguator::withoutKey(std::string text) const
-{
-    if (m_key.empty()) return text;
-    static const std::string HIDDEN = "*";
-    for (size_t at = text.find(m_key); at != std::string::npos;
-         at = text.find(m_key, at + HIDDEN.size()))
-        text.replace(at, m_key.size(), HIDDEN);
-    return text;
-}
 }  // namespace voxeland
 
 const voxeland::RegisteredClass<voxeland::CChatCompletionsDisambiguator> REGISTERED;

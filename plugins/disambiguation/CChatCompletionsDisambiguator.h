@@ -33,9 +33,8 @@ class CChatCompletionsDisambiguator : public CDisambiguator
     bool waitToRetry(uint32_t attempt, std::optional<double> retryAfter) const;
     /** What to say of a reply that is not an answer. */
     [[nodiscard]] DisambiguationError refusal(const HttpReply& reply) const;
-    /** A sentence about the server; what it said itself is shortened, and never shows the key. */
+    /** A sentence about the server; what it said itself is shortened, and shows nothing hidden. */
     [[nodiscard]] std::string sentence(const std::string& clause) const;
-    [[nodiscard]] std::string withoutKey(std::string text) const;
     [[nodiscard]] std::vector<std::string> configurationProblems();
 
     std::string m_baseUrl = "http://127.0.0.1:11434/v1", m_keyVariable, m_caFile, m_extraBody;

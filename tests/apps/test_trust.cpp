@@ -198,6 +198,110 @@ TEST_F(Trust, WhatTheUsersIniExpandsIsNotStored)
     EXPECT_TRUE(has(content, "missed_share = 0.25\n"));
 }
 
+TEST_F(Trust, NorIsItShown)
+{
+    const std::string named = "$env{VOXELAND_TEST_SECRET}";
+    for (const std::string& wrong :
+         {std::string("[map]\nresolution = @"), std::string("[map]\nentropy = @"),
+          std::string("[map]\n@ = 1"), std::string("[@]\na = 1"),
+          std::string("[association]\nclass = @"),
+          std::string("[association]\nclass = C\nplugin = /no/@.so"),
+          std::string("[voxeland]\npose_source = @"),
+          std::string("[voxeland]\npose_source = tum:/@"),
+          std::string("[voxeland]\ndepth_sensor_label = @"),
+          std::string("[map]\nresolution = $eval{@ + }")})
+    {
+        std::string text = wrong;
+        for (size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at + 1))
+            text.replace(at, 1, named);
+        test::writeFile(file("own.ini"), text + "\n");
+        const auto refused = map({"-c", file("own.ini")});
+        EXPECT_GT(refused.exitCode, 0) << wrong;
+        EXPECT_FALSE(has(refused.errors + refused.output, SECRET)) << refused.errors;
+        EXPECT_TRUE(has(text, "$eval") || has(refused.errors, named)) << refused.errors;
+    }
+}
+
+TEST_F(Trust, AskingShowsNothingThatWasExpanded)
+{
+    const auto simulated = test::runProgram(
+        "voxeland-simulate", {"-o", file("r.rawlog"), "--seed", "1", "--rooms", "1", "--frames",
+                              "60", "--width", "160", "--height", "120", "--quiet"});
+    ASSERT_EQ(simulated.exitCode, 0) << simulated.errors;
+    ASSERT_EQ(map().exitCode, 0);
+    const auto ask = [&](const std::string& keys) {
+        test::writeFile(file("own.ini"),
+                        "[disambiguation]\nclass = CChatCompletionsDisambiguator\nretries = 0\n"
+                        "entropy_threshold = 0\n" +
+                            keys);
+        return test::runProgram(
+            "voxeland-disambiguate",
+            {"-m", file("m.voxeland"), "-i", file("r.rawlog"), "-o", file("asked.voxeland"), "-c",
+             file("own.ini"), "--report", file("report.json")});
+    };
+    const std::string named = "$env{VOXELAND_TEST_SECRET}", model = "model = m\n";
+    for (const std::string& wrong :
+         {model + "base_url = " + named + "\n", model + "ca_file = /" + named + "\n",
+          model + "extra_body = " + named + "\n"})
+    {
+        const auto refused = ask(wrong);
+        EXPECT_EQ(refused.exitCode, 1);
+        EXPECT_FALSE(has(refused.errors, SECRET)) << refused.errors;
+        EXPECT_TRUE(has(refused.errors, named)) << refused.errors;
+    }
+    // Nobody listens there: what is wrong is told in the report, too.
+    const auto away = ask(model + "base_url = http://127.0.0.1:9/" + named + "\n");
+    EXPECT_EQ(away.exitCode, 2) << away.errors;
+    const std::string told = away.errors + away.output + test::readFile(file("report.json"));
+    EXPECT_FALSE(has(told, SECRET)) << told;
+    EXPECT_TRUE(has(test::readFile(file("report.json")), named)) << told;
+}
+
+TEST_F(Trust, AKeyInThePlaceOfItsVariablesNameIsNotShown)
+{
+    for (const std::string& key : {SECRET, std::string("gsk_Secret0123456789")}) {
+        const std::string keys =
+            "[disambiguation]\nclass = CChatCompletionsDisambiguator\n"
+            "base_url = https://localhost:9/v1\nmodel = m\napi_key_env = " +
+            key + "\n";
+        test::writeFile(file("own.ini"), keys);
+        std::string told;
+        for (const std::vector<std::string>& how :
+             {std::vector<std::string>{"-c", file("own.ini")},
+              {"--set", "disambiguation.class=CChatCompletionsDisambiguator", "--set",
+               "disambiguation.api_key_env=" + key},
+              {"--set", "disambiguation.api_key=" + key}})
+        {
+            auto more = how;
+            more.insert(more.end(), {"--trace", file("trace")});
+            const auto mapped = map(more);
+            told += mapped.errors + mapped.output;
+            more = how;
+            more.emplace_back("--dump-config");
+            const auto dumped = map(more);
+            told += dumped.errors + dumped.output;
+        }
+        if (key == SECRET) {
+            EXPECT_TRUE(has(told, "the name of an environment variable")) << told;
+            ASSERT_EQ(map().exitCode, 0);
+        } else {
+            told += test::contentOfMap(file("m.voxeland")) + test::readFile(file("trace"));
+        }
+        const auto asked = test::runProgram("voxeland-disambiguate",
+                                            {"-m", file("m.voxeland"), "-i", file("r.rawlog"), "-o",
+                                             file("asked.voxeland"), "-c", file("own.ini")});
+        EXPECT_EQ(asked.exitCode, 1) << asked.errors;
+        EXPECT_TRUE(has(asked.errors, "not the key")) << asked.errors;
+        EXPECT_FALSE(has(told + asked.errors + asked.output, key)) << told << asked.errors;
+        test::forgeConfiguration(file("m.voxeland"), keys);  // as older versions stored it
+        const auto resumed = test::runProgram(
+            "voxeland-disambiguate",
+            {"-m", file("m.voxeland"), "-i", file("r.rawlog"), "-o", file("n.voxeland")});
+        EXPECT_TRUE(has(resumed.errors, "api_key_env = '*'")) << resumed.errors;
+        EXPECT_FALSE(has(resumed.errors, key)) << resumed.errors;
+    }
+}
+
 TEST_F(Trust, NorIsWhatAnMrptProgramExpands)
 {
     auto maps = mapsOf(

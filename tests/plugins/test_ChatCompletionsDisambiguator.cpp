@@ -469,8 +469,9 @@ TEST_F(ChatCompletions, wrongKeysAreNamedTogether)
         "base_url = ftp://server\napi_key_env = VOXELAND_NO_SUCH_KEY\nca_file = /no/such.pem\n"
         "extra_body = [1]\n");
     for (const char* part :
-         {"ftp://server", "model", "VOXELAND_NO_SUCH_KEY", "/no/such.pem", "[1]"})
+         {"ftp://server", "model", "api_key_env", "/no/such.pem", "[1]"})
         EXPECT_NE(all.find(part), std::string::npos) << all;
+    EXPECT_EQ(all.find("VOXELAND_NO_SUCH_KEY"), std::string::npos) << "it may be the key itself";
     const std::string key =
         std::string("model = m\napi_key_env = ") + KEY_VARIABLE + "\nbase_url = ";
     for (const char* open : {"http://example.org/v1", "http://127.0.0.1.example.org/v1",

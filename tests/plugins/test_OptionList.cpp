@@ -351,3 +351,41 @@ TEST(OptionList, PrintsNoTextsThatMrptMayHaveExpanded)
     EXPECT_TRUE(contains(o.printed(), "\nfile = \n")) << o.printed();
     EXPECT_TRUE(contains(o.printed(), "\nlabel = b\n"));
 }
+
+TEST(OptionList, ShowsTheNameOfAVariableOnlyIfThereIsOne)
+{
+    setenv("VOXELAND_TEST_KEY", "x", 1);
+    const auto shown = [](const std::string& value) {
+        std::string variable;
+        OptionList list;
+        list.addVariableName("key_env", variable, "Where the key is");
+        std::vector<std::string> problems;
+        list.load(Ini::fromText("[s]\nkey_env = " + value + "\n", "a text"), "s", problems);
+        std::ostringstream out;
+        list.print(out, "s");
+        if (problems.empty()) EXPECT_EQ(variable, value);
+        for (const std::string& problem : problems) out << problem;
+        return out.str();
+    };
+    EXPECT_TRUE(contains(shown("VOXELAND_TEST_KEY"), "key_env = VOXELAND_TEST_KEY\n"));
+    for (const char* key : {"sk-Written-0123456789", "gsk_Written0123456789", "0123456789abcdef"})
+        EXPECT_FALSE(contains(shown(key), key)) << shown(key);
+    EXPECT_TRUE(contains(shown("sk-Written-0123456789"), "must be the name of an environment"));
+    EXPECT_TRUE(contains(shown("0123456789abcdef"), "must be the name of an environment"));
+}
+
+TEST(OptionList, WhatConcernsARunIsNotKeptInMaps)
+{
+    uint32_t threads = 3, every = 1;
+    OptionList list;
+    list.add("threads", threads, {0, 99}, "How many at a time");
+    list.concernsRun();
+    list.add("every", every, {0, 99}, "How often");
+    std::vector<std::string> problems;
+    list.load(Ini::fromText("[s]\nthreads = 4\nevery = 5\n", "a text"), "s", problems);
+    std::ostringstream run, map;
+    list.print(run, "s");
+    list.print(map, "s", OptionList::Keys::ofMap);
+    EXPECT_EQ(run.str(), "[s]\n# How many at a time\nthreads = 4\n# How often\nevery = 5\n");
+    EXPECT_EQ(map.str(), "[s]\n# How many at a time\nthreads = 3\n# How often\nevery = 5\n");
+}

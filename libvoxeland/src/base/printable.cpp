@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/base/printable.h"
 
+#include "voxeland/base/hiddenTexts.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -108,9 +110,9 @@ std::string endOf(std::string_view text, size_t width)
     }
     return end;
 }
-}  // namespace
 
-std::string printable(std::string_view text, size_t maxLength)
+/** printable() of a text of which nothing is to be hidden any more. */
+std::string cutTo(size_t maxLength, std::string_view text)
 {
     constexpr size_t LEAST = 8;
     const std::string between = "...";
@@ -121,19 +123,32 @@ std::string printable(std::string_view text, size_t maxLength)
     return beginOf(text, maxLength - between.size() - lengthOfEnd).shown + between +
            endOf(text, lengthOfEnd);
 }
+}  // namespace
 
-std::string printableSentence(std::string_view text, size_t maxLength)
+std::string printable(std::string_view text, size_t maxLength)
+{
+    return cutTo(maxLength, withoutHidden(text));
+}
+
+bool isPrintable(std::string_view text)
+{
+    return beginOf(text, UNCUT).shown == text;
+}
+
+std::string printableSentence(std::string_view sentenceOfAny, size_t maxLength)
 {
     constexpr size_t LONG_WORD = 60;
+    const std::string harmless = withoutHidden(sentenceOfAny);
+    std::string_view text = harmless;
     const Begin begin = beginOf(text, maxLength);
     if (begin.bytes == text.size()) return begin.shown;
     std::string sentence;
     while (!text.empty()) {
         const std::string_view word = text.substr(0, text.find(' '));
-        sentence += printable(word, LONG_WORD);
+        sentence += cutTo(LONG_WORD, word);
         text.remove_prefix(word.size());
         for (; !text.empty() && text[0] == ' '; text.remove_prefix(1)) sentence += ' ';
     }
-    return printable(sentence, maxLength);
+    return cutTo(maxLength, sentence);
 }
 }  // namespace voxeland

@@ -3,6 +3,7 @@
 
 #include "base/ClassicNumbers.h"
 #include "voxeland/base/counted.h"
+#include "voxeland/base/hiddenTexts.h"
 #include "voxeland/base/printable.h"
 #include "voxeland/map/MapQueries.h"
 
@@ -121,7 +122,7 @@ std::string DisambiguationReport::asJson(const SemanticVoxelMap& map) const
                                  {"answer_tokens", d->answerTokens},
                                  {"cost", d->cost}};
         } else {
-            entry["problem"] = q.outcome.problem;
+            entry["problem"] = withoutHidden(q.outcome.problem);
             entry["failed"] = q.outcome.failed;
         }
         json.push_back(std::move(entry));

@@ -41,6 +41,7 @@ void declare(OptionList& list, InputOptions& o)
     list.add("max_depth", o.depth.max_depth, {0, 1000}, "Farthest depth used [m]");
     list.add("threads", o.threads, {0, 256},
              "Threads that read and prepare frames; 0: one a core. The map does not depend on it");
+    list.concernsRun();
     list.forExperts();
     list.add("pose_sensor_label", o.pose_sensor_label,
              "Sensor label of the robot poses; empty: the first CObservationRobotPose met",
@@ -333,8 +334,6 @@ MapperConfig::MapperConfig(const Ini& ini, Purpose purpose, const Tell& tell)
     };
     m_text = print(OptionList::Keys::all);
     m_commonText = print(OptionList::Keys::common);
-    const uint32_t threads = std::exchange(input.threads, 0);
-    m_reproducibleText = print(OptionList::Keys::all);
-    input.threads = threads;
+    m_reproducibleText = print(OptionList::Keys::ofMap);
 }
 }  // namespace voxeland

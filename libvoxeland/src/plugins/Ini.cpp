@@ -4,10 +4,12 @@
 #include "base/ClassicNumbers.h"
 #include "files/TextFile.h"
 #include "voxeland/base/errors.h"
+#include "voxeland/base/hiddenTexts.h"
 #include "voxeland/base/lowerCase.h"
 #include "voxeland/base/trimmed.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -127,6 +129,29 @@ Content asWritten(const std::string& text, const std::string& origin)
     }
 }
 
+/** Whether what a variable holds is the path of something that is there, which tells nobody more.
+ */
+bool isKnownPath(const std::string& value)
+{
+    std::error_code error;
+    return value[0] == '/' && std::filesystem::exists(value, error);
+}
+
+/** No message shows what MRPT puts in place of $env{NAME}. */
+void hideEnvironment(const std::string& text)
+{
+    const std::string BEGIN = "$env{";
+    for (size_t at = text.find(BEGIN); at != std::string::npos; at = text.find(BEGIN, at + 1)) {
+        const size_t end = text.find('}', at);
+        if (end == std::string::npos) return;
+        const size_t name = at + BEGIN.size();
+        const char* const value = std::getenv(text.substr(name, end - name).c_str());
+        std::istringstream lines(value != nullptr ? value : "");
+        for (std::string line; std::getline(lines, line);)
+            if (!isKnownPath(line)) hideText(trimmed(line), text.substr(at, end + 1 - at));
+    }
+}
+
 /** A text without what MRPT acts upon: lines that start with '@'. */
 std::string withoutDirectives(const std::string& text)
 {
@@ -154,6 +179,7 @@ Ini Ini::fromFile(const std::string& file)
 Ini Ini::fromText(const std::string& text, const std::string& origin)
 {
     const std::string plain = plainLines(text);
+    hideEnvironment(plain);
     checkLines(plain, origin);
     Ini ini;
     ini.m_origin = origin;
@@ -216,7 +242,7 @@ void Ini::set(const std::string& assignment, const std::string& option)
         content->write(section, key, assignment.substr(equals + 1));
     m_setByUser.insert(identity(section, key));
     m_unknownAsWritten.erase(identity(section, key));
-    if (!option.empty()) m_options.push_back(option + " " + assignment);
+    if (!option.empty()) m_options.push_back(option + " " + assignment.substr(0, equals));
 }
 
 std::vector<std::string> Ini::sections() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/plugins/OptionList.h"
 
+#include "voxeland/base/hiddenTexts.h"
 #include "voxeland/base/joined.h"
 #include "voxeland/base/lowerCase.h"
 #include "voxeland/base/nearestWord.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <ostream>
 #include <sstream>
@@ -19,6 +21,7 @@ namespace voxeland
 {
 namespace
 {
+constexpr auto HIDDEN = "*";
 constexpr double LEAST_MAGNITUDE = 1e-30;  // of a number that is not 0
 
 /** Whether a text is no more than it seems: MRPT would put nothing else in its place, and a
@@ -27,7 +30,12 @@ bool isPlain(const std::string& text)
 {
     for (const char* begin : {"${", "$env{", "$eval{"})
         if (text.find(begin) != std::string::npos) return false;
-    return printable(text, UNCUT) == text;
+    return isPrintable(text);
+}
+
+bool isVariable(const std::string& name)
+{
+    return name.empty() || std::getenv(name.c_str()) != nullptr;
 }
 
 /** Reads "true" or "false"; returns what is wrong with the text, empty if nothing. */
@@ -73,6 +81,29 @@ void OptionList::add(const std::string& key, std::string& variable, const std::s
         comment);
     m_options.back().ofMaps = ofMaps;
     m_options.back().isText = true;
+}
+
+void OptionList::addVariableName(const std::string& key, std::string& variable,
+                                 const std::string& comment)
+{
+    addText(
+        key, [&variable] { return isVariable(variable) ? variable : ""; },
+        [&variable](const std::string& text) {
+            const auto isOfNames = [](char c) {
+                return c == '_' || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+                       (c >= 'a' && c <= 'z');
+            };
+            const bool beginsWithDigit = !text.empty() && text[0] >= '0' && text[0] <= '9';
+            if (beginsWithDigit || !std::all_of(text.begin(), text.end(), isOfNames))
+                return "must be the name of an environment variable, not the key: export the key "
+                       "under a name, and give that name";
+            variable = text;
+            return "";
+        },
+        comment);
+    m_options.back().ofMaps = noValue;
+    m_options.back().isText = m_options.back().isVariableName = true;
+    concernsRun();
 }
 
 void OptionList::add(const std::string& key, bool& variable, const std::string& comment,
@@ -180,6 +211,7 @@ void OptionList::load(const Ini& ini, const std::string& section,
             continue;
         }
         const std::string value = ini.value(section, key);
+        if (option->isVariableName && !isVariable(value)) hideText(value, HIDDEN);
         const bool isLeftToUser =
             ini.isOfMap(section, key) && (!option->ofMaps(value) || !isPlain(value));
         if (isLeftToUser) {
@@ -190,7 +222,8 @@ void OptionList::load(const Ini& ini, const std::string& section,
         option->printed = printedFor(*option, ini, section);
         const std::string wrong = option->parse(value);
         if (wrong.empty()) continue;
-        problems.push_back("[" + section + "] " + option->key + " = '" + value + "' " + wrong);
+        problems.push_back("[" + section + "] " + option->key + " = '" +
+                           (option->isVariableName ? HIDDEN : value) + "' " + wrong);
         if (value.find('#') != std::string::npos)
             problems.back() += " (comments behind a value start with ' //')";
     }
@@ -209,7 +242,8 @@ void OptionList::print(std::ostream& out, const std::string& section, Keys keys)
 {
     out << "[" << section << "]\n";
     for (const Option& o : m_options) {
-        const std::string value = o.printed.value_or(o.print());
+        const bool isPreset = keys == Keys::ofMap && o.isOfRun;
+        const std::string value = isPreset ? o.preset : o.printed.value_or(o.print());
         const bool isLeftOut = keys == Keys::common && o.isForExperts && value == o.preset;
         if (!o.isFormer && !isLeftOut)
             out << "# " << o.comment << "\n" << o.key << " = " << value << "\n";

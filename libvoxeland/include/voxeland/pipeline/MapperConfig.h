@@ -107,7 +107,8 @@ class MapperConfig
     [[nodiscard]] const std::string& text() const { return m_text; }
     /** text() without the keys that few users change, as far as they have their defaults. */
     [[nodiscard]] const std::string& commonText() const { return m_commonText; }
-    /** text() without what cannot change the resulting map (threads): stored with the map. */
+    /** text() without what cannot change the resulting map, see OptionList::concernsRun(): stored
+     * with the map. */
     [[nodiscard]] const std::string& reproducibleText() const { return m_reproducibleText; }
 
  private:

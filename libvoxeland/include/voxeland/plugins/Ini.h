@@ -11,7 +11,8 @@
 namespace voxeland
 {
 /** An INI that was read and parsed, with MRPT's syntax (variables, expressions, `\` line ends);
- * unlike MRPT it never is silent about a file that is missing.
+ * unlike MRPT it never is silent about a file that is missing. What `$env{NAME}` was in a user's
+ * is hidden, see hideText().
  *
  *  What stands in a map is data, from whoever made the map: nothing in it is expanded, and it is
  * known which values are the map's (see isOfMap()) so that OptionList takes only harmless ones. */
@@ -38,7 +39,8 @@ class Ini
      *  \throws ConfigurationError if the text has another form */
     void set(const std::string& assignment, const std::string& option = "");
 
-    /** What to call this INI in messages: its file, and what options of a command line set. */
+    /** What to call this INI in messages: its file, and the keys that options of a
+     *  command line set. */
     [[nodiscard]] std::string origin() const;
     /** Folder of the file, absolute; empty if it did not come from one. */
     [[nodiscard]] const std::string& folder() const { return m_folder; }
@@ -63,7 +65,7 @@ class Ini
     Content m_content, m_written;
     std::string m_origin, m_folder;      //!< empty: all defaults, no file
     std::string m_mapName;               //!< empty: all is the user's
-    std::vector<std::string> m_options;  //!< with what they set
+    std::vector<std::string> m_options;  //!< with the keys they set
     /** Section and key, in small letters, of what the user set ... */
     std::set<std::pair<std::string, std::string>> m_setByUser;
     /** ... and of that what may have been expanded before. */

@@ -48,6 +48,10 @@ class OptionList
     void add(const std::string& key, double& variable, const Range& range,
              const std::string& comment);
 
+    /** The name of an environment variable, such as that of a key. Who takes it for the variable's
+     *  value writes the key there: it is hidden, in print() too, unless a variable is called so. */
+    void addVariableName(const std::string& key, std::string& variable, const std::string& comment);
+
     /** An option given by one of a few words. \param words each with the value it stands for */
     template <typename Enum>
     void add(const std::string& key, Enum& variable,
@@ -86,6 +90,10 @@ class OptionList
     /** What is added from here on is seldom changed, or as often as the rest. */
     void forExperts(bool seldom = true) { m_forExperts = seldom; }
 
+    /** The option added last concerns a run and not the map that it makes: maps hold its default.
+     */
+    void concernsRun() { m_options.back().isOfRun = true; }
+
     /** A key of earlier versions: an INI that has it, or a map made with one, is read as before,
      *  but the key does nothing any more. */
     void retire(const std::string& key);
@@ -102,7 +110,8 @@ class OptionList
     enum class Keys
     {
         common,  //!< and those for experts that do not have their default
-        all
+        all,
+        ofMap  //!< all, those that concern a run with their default
     };
     /** Prints the section with keys, current values and comments, as an INI that can be read back.
      * Texts are printed as they were written, with the environment's variables by name; those
@@ -125,6 +134,8 @@ class OptionList
         std::string preset;                                 //!< what it prints by default
         bool isFormer = false;                              //!< read, but not printed
         std::optional<std::string> printed = std::nullopt;  //!< instead of the value
+        bool isOfRun = false;
+        bool isVariableName = false;
     };
 
     void addText(const std::string& key, Printer print, Parser parse, const std::string& comment);
