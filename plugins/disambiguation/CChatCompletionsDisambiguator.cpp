@@ -211,8 +211,10 @@ HttpReply CChatCompletionsDisambiguator::postPatiently(HttpRequest& request) con
             const bool isAway = e.kind == Kind::NotConnected || e.kind == Kind::Untrusted;
             throw DisambiguationError(
                 sentence("cannot be asked: " + std::string(e.what()) +
-                         (isAway ? ": check base_url and whether it runs"
-                                 : ": try again, or raise [disambiguation] timeout")),
+                         (isAway                     ? ": check base_url and whether it runs"
+                          : e.kind == Kind::TooLarge ? ": check base_url"
+                                                     : ": try again, or raise [disambiguation] "
+                                                       "timeout")),
                 isAway);
         }
     }

@@ -33,7 +33,8 @@ struct HttpError : std::runtime_error
         NotConnected,  //!< no such host, nobody listens, ...
         BrokenOff,     //!< the connection ended within the answer or before
         TimedOut,      //!< connected, but no complete answer in time
-        Untrusted      //!< the certificate is not what it should be
+        Untrusted,     //!< the certificate is not what it should be
+        TooLarge       //!< what came is beyond any answer
     };
     HttpError(Kind what, const std::string& sentence) : std::runtime_error(sentence), kind(what) {}
     Kind kind;

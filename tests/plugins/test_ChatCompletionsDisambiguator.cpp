@@ -249,6 +249,16 @@ TEST_F(ChatCompletions, refusalsThatNoOtherQuestionWouldEscape)
     expectError(errorOf(asking("401", "api_key_env =\n")), true, "api_key_env");
 }
 
+TEST_F(ChatCompletions, repliesBeyondAnyAnswerAreNotReceived)
+{
+    for (const auto& [behaviour, told] :
+         {std::pair("large-reply", "its reply is larger than 16 MiB"),
+          std::pair("many-headers", "the headers of its reply are larger than 64 KiB"),
+          std::pair("long-header", "the headers of its reply are larger than 64 KiB")})
+        expectError(errorOf(asking(behaviour)), false, told);
+    EXPECT_EQ(requests(), 3U) << "no second attempt";
+}
+
 TEST_F(ChatCompletions, refusalsOfOneQuestion)
 {
     expectError(errorOf(asking("400")), false, "too many pictures");
@@ -468,8 +478,7 @@ TEST_F(ChatCompletions, wrongKeysAreNamedTogether)
     const std::string all = problemsOf(
         "base_url = ftp://server\napi_key_env = VOXELAND_NO_SUCH_KEY\nca_file = /no/such.pem\n"
         "extra_body = [1]\n");
-    for (const char* part :
-         {"ftp://server", "model", "api_key_env", "/no/such.pem", "[1]"})
+    for (const char* part : {"ftp://server", "model", "api_key_env", "/no/such.pem", "[1]"})
         EXPECT_NE(all.find(part), std::string::npos) << all;
     EXPECT_EQ(all.find("VOXELAND_NO_SUCH_KEY"), std::string::npos) << "it may be the key itself";
     const std::string key =

@@ -273,6 +273,9 @@ const std::map<std::string, Behaviour>& behaviours()
              else
                  answerHonestly(client, request);
          }},
+        {"/large-reply", reply(200, std::string((16U << 20U) + 1, ' '))},
+        {"/many-headers", reply(200, "", repeated("X-More: of it\r\n", 10000))},
+        {"/long-header", reply(200, "", "X-Long: " + std::string(5000000, 'x') + "\r\n")},
         {"/broken-off",
          [](Connection& client, const Request&) { client.answer(200, "{", "", 100); }},
         {"/broken-off-once",
