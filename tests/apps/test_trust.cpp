@@ -388,6 +388,21 @@ TEST_F(Trust, ARawlogShowsOnlyImagesOfItsFolder)
     }
 }
 
+TEST_F(Trust, AnImageHasANameThatAFileCanHave)
+{
+    for (const auto& [name, why] :
+         {std::pair(std::string("ab"), "fewer than 3 characters"),
+          std::pair(std::string(5000, 'x'), "too long for the name of a file")})
+        for (const std::vector<std::string>& more : {{}, std::vector<std::string>{"--trust-paths"}})
+        {
+            test::writeRawlog(file("r.rawlog"), framesWithImage(name), true);
+            const auto refused = map(more);
+            EXPECT_EQ(refused.exitCode, 3);
+            EXPECT_TRUE(has(refused.errors, "r.rawlog' names '") && has(refused.errors, why))
+                << refused.errors;
+        }
+}
+
 TEST_F(Trust, ARawlogReadsOnlyDepthsOfItsFolder)
 {
     fs::create_directory(file("r_Images"));

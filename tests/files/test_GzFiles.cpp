@@ -246,3 +246,20 @@ TEST(GzInputFile, whatASizeInAFileSaysIsNotReserved)
     expectToTakeTooMuch(ranges, {"\3\0\0\0\x34\x12\0\0", 8},
                         {"\xFF\xFF\xFF\0\x34\x12\0\0", 8});  // 156 GB
 }
+
+TEST(GzInputFile, aClassWithoutObjectsIsTakenForDamage)
+{
+    const TemporaryFolder folder;
+    const std::string name = "mrpt::obs::CObservation";  // as MRPT writes the begin of an object
+    voxeland::test::writeFile(folder.file("a.rawlog"),
+                              static_cast<char>(0x80 | name.size()) + name + std::string(50, '\1'));
+    testing::internal::CaptureStderr();
+    try {
+        GzInputFile(folder.file("a.rawlog")).readObject();
+        FAIL() << "no exception";
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("of a class that is not known"), std::string::npos)
+            << e.what();
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}

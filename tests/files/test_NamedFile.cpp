@@ -102,3 +102,18 @@ TEST_F(NamedFile, IsNamedInTheRefusal)
             EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
     }
 }
+
+TEST_F(NamedFile, ANameThatIsTooLongIsSaidToBe)
+{
+    for (const bool trusted : {false, true})
+        for (const Links links : {Links::followed, Links::staysInside}) try
+            {
+                static_cast<void>(
+                    namedFile(folder(), std::string(5000, 'x'), "list.txt", links, trusted));
+                FAIL() << "taken";
+            } catch (const InputError& e) {
+                const std::string told = e.what();
+                EXPECT_NE(told.find("too long"), std::string::npos) << told;
+                EXPECT_LT(told.size(), 250U) << told;
+            }
+}

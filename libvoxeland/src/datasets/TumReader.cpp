@@ -56,7 +56,8 @@ size_t cameraNumber(const fs::path& folder)
 std::string existingName(const fs::path& folder, const std::string& listed)
 {
     std::string name = listed;
-    if (!fs::exists(folder / name)) std::replace(name.begin(), name.end(), '\\', '/');
+    std::error_code error;
+    if (!fs::exists(folder / name, error)) std::replace(name.begin(), name.end(), '\\', '/');
     return name;
 }
 }  // namespace

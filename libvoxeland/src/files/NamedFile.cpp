@@ -38,6 +38,12 @@ bool isInside(const fs::path& folder, const fs::path& name, Links links)
 fs::path namedFile(const fs::path& folder, const std::string& name, const std::string& namedBy,
                    Links links, bool trusted)
 {
+    std::error_code error;
+    static_cast<void>(fs::symlink_status(folder / name, error));
+    if (error == std::errc::filename_too_long)
+        throw InputError("'" + namedBy + "' names '" + printable(name) +
+                         "', which is too long for the name of a file: make '" + namedBy +
+                         "' anew");
     if (trusted || isInside(folder, name, links)) return folder / name;
     const bool isLink = isInside(folder, name, Links::followed);
     throw InputError("'" + namedBy + "' names '" + printable(name) +

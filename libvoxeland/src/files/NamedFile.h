@@ -17,7 +17,7 @@ enum class Links
  *  \param name absolute, or relative to the folder
  *  \param namedBy the file that names it, for the message
  *  \param trusted the user vouches for it: it may lie anywhere
- *  \throws InputError, with both names, if it does not */
+ *  \throws InputError, with both names, if it does not, or the name is too long for a file */
 std::filesystem::path namedFile(const std::filesystem::path& folder, const std::string& name,
                                 const std::string& namedBy, Links links, bool trusted);
 }  // namespace voxeland
