@@ -4,6 +4,7 @@
 #include "DatasetFiles.h"
 #include "ImageFiles.h"
 #include "OpticalPose.h"
+#include "TimeAssociation.h"
 #include "files/NamedFile.h"
 #include "observations/TimedLines.h"
 #include "observations/Trajectory.h"
@@ -14,8 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <tuple>
 
 namespace fs = std::filesystem;
 
@@ -68,7 +67,7 @@ TumReader::TumReader(const std::string& folder, const DatasetOptions& options)
     checkFolder(folder);
     m_colour = readList("rgb.txt");
     m_depth = readList("depth.txt");
-    m_depthOfColour = associate(m_colour, m_depth);
+    m_depthOfColour = associateTimes(listed(m_colour), listed(m_depth), MAX_TIME_APART);
     auto trajectory = Trajectory::fromTumFile((m_folder / "groundtruth.txt").string(), MAX_POSE_GAP,
                                               options.strict);
     m_poses = std::move(trajectory.poses);
@@ -109,6 +108,13 @@ std::vector<TumReader::TimedFile> TumReader::readList(const std::string& name)
     return list;
 }
 
+std::vector<double> TumReader::listed(const std::vector<TimedFile>& list)
+{
+    std::vector<double> times;
+    for (const TimedFile& image : list) times.push_back(image.time);
+    return times;
+}
+
 TimeRange TumReader::timesOf(const std::vector<TimedFile>& list)
 {
     TimeRange times;
@@ -123,28 +129,6 @@ void TumReader::checkTimes(const std::string& name, const TimeRange& times,
     throw NothingToMapError("no time of " + name + " (" + times.text() +
                             ") is within those of depth.txt (" + depthTimes.text() + ") of " +
                             m_folder.string() + ": give all times in seconds from the same zero");
-}
-
-std::vector<int64_t> TumReader::associate(const std::vector<TimedFile>& first,
-                                          const std::vector<TimedFile>& second)
-{
-    std::multimap<double, size_t> secondByTime;
-    for (size_t j = 0; j < second.size(); ++j) secondByTime.emplace(second[j].time, j);
-    std::vector<std::tuple<double, size_t, size_t>> pairs;  // time apart, first, second
-    for (size_t i = 0; i < first.size(); ++i) {
-        const auto end = secondByTime.upper_bound(first[i].time + MAX_TIME_APART);
-        for (auto at = secondByTime.lower_bound(first[i].time - MAX_TIME_APART); at != end; ++at)
-            pairs.emplace_back(std::abs(at->first - first[i].time), i, at->second);
-    }
-    std::sort(pairs.begin(), pairs.end());
-    std::vector<int64_t> secondOf(first.size(), -1);
-    std::vector<bool> taken(second.size(), false);
-    for (const auto& [apart, i, j] : pairs) {
-        if (secondOf[i] >= 0 || taken[j]) continue;
-        secondOf[i] = static_cast<int64_t>(j);
-        taken[j] = true;
-    }
-    return secondOf;
 }
 
 RgbdRecord TumReader::read(size_t index) const

@@ -42,17 +42,15 @@ class TumReader : public RgbdDatasetReader
         std::string file;
     };
     std::vector<TimedFile> readList(const std::string& name);
+    static std::vector<double> listed(const std::vector<TimedFile>& list);
     static TimeRange timesOf(const std::vector<TimedFile>& list);
     /** \throws NothingToMapError, with both, unless times overlap those of the depth images */
     void checkTimes(const std::string& name, const TimeRange& times,
                     const TimeRange& depthTimes) const;
-    /** Position in the second list for each of the first, -1 if there is none. */
-    static std::vector<int64_t> associate(const std::vector<TimedFile>& first,
-                                          const std::vector<TimedFile>& second);
 
     std::filesystem::path m_folder;
     std::vector<TimedFile> m_colour, m_depth;
-    std::vector<int64_t> m_depthOfColour;
-    PoseTrack m_poses;  //!< of the optical axes
+    std::vector<int64_t> m_depthOfColour;  //!< place in the list of depths, -1 for none
+    PoseTrack m_poses;                     //!< of the optical axes
 };
 }  // namespace voxeland
