@@ -68,3 +68,43 @@ TEST(HeightSlice, aTiltedFrameLeavesNoHoles)
         for (size_t column = 2; column < 6; ++column)
             EXPECT_NE(slice.occupancy[row * slice.columns + column], 0.5F) << row << " " << column;
 }
+
+TEST(HeightSlice, aGridIsNotLargerThanAnybodyNeeds)
+{
+    SemanticVoxelMap map = levelHall();
+    test::addVoxel(map, {900000, 0, 3}, {{UNKNOWN_INSTANCE, 1}});
+    const HeightSlice slice = sliceOf(map, GravityAlignedFrame(), BODY);
+    EXPECT_EQ(slice.columns, 900001U);
+    EXPECT_NEAR(slice.occupancy[5 * 900001 + 2], 0.95, 1e-3);
+    test::addVoxel(map, {0, 900000, 3}, {{UNKNOWN_INSTANCE, 1}});
+    try {
+        static_cast<void>(sliceOf(map, GravityAlignedFrame(), BODY));
+        FAIL() << "no exception";
+    } catch (const ConfigurationError& e) {
+        EXPECT_NE(std::string(e.what()).find("900001 x 900001"), std::string::npos) << e.what();
+    }
+}
+
+/** Probabilities of every kind in a tilted frame: what each column's own search says. */
+TEST(HeightSlice, isWhatALookAtEachColumnFinds)
+{
+    SemanticVoxelMap map = levelHall();
+    const GravityAlignedFrame tilted({0.2, -0.3, 1});
+    const HeightRange heights{0.13, 0.71};
+    const HeightSlice slice = sliceOf(map, tilted, heights);
+    const double edge = map.resolution();
+    for (size_t row = 0; row < slice.rows; ++row)
+        for (size_t column = 0; column < slice.columns; ++column) {
+            log_odds_t most = UNOBSERVED;
+            for (int k = -100; k < 100; ++k) {
+                const mrpt::math::TPoint3D place(
+                    slice.minX + (static_cast<double>(column) + 0.5) * edge,
+                    slice.minY + (static_cast<double>(row) + 0.5) * edge, (k + 0.5) * edge / 2);
+                if (heights.contains(place.z))
+                    most = std::max(most, map.occupancyAt(tilted.toMap(place)));
+            }
+            EXPECT_EQ(slice.occupancy[row * slice.columns + column],
+                      static_cast<float>(OccupancyFilter::probability(most)))
+                << row << " " << column;
+        }
+}

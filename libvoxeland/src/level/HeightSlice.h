@@ -24,9 +24,9 @@ struct HeightSlice
 
 /** Looks through the heights: of the voxels above one another in a cell, the one most likely
  *  occupied decides. The grid covers everything observed at those heights.
- *  \param heights in the gravity-aligned frame [m]; only those are looked through at which
- *  anything was observed
- *  \throws ConfigurationError if nothing was observed there */
+ *  \param heights in the gravity-aligned frame [m]
+ *  \throws ConfigurationError if nothing was observed there, or the grid would be of more than 100
+ *  million cells */
 HeightSlice sliceOf(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
                     const HeightRange& heights);
 

@@ -63,7 +63,8 @@ std::vector<Facet> sampleFacets(const SemanticVoxelMap& map)
     return facets;
 }
 
-/** Sum of squares of the histogram of heights, in bins of one voxel, of what faces a direction. */
+/** Sum of squares of the histogram of heights, in bins of one voxel, of what faces a direction.
+ * What is MOST_BINS apart shares bins: a map may be spread over millions. */
 double concentration(const std::vector<Facet>& facets, const TVector3D& up)
 {
     std::vector<double> heights;
@@ -71,14 +72,15 @@ double concentration(const std::vector<Facet>& facets, const TVector3D& up)
         if (dot(f.facing, up) > FACES_IT) heights.push_back(dot(f.position, up));
     if (heights.empty()) return 0;
     const double lowest = *std::min_element(heights.begin(), heights.end());
-    std::vector<double> histogram;
+    const double highest = *std::max_element(heights.begin(), heights.end());
+    constexpr size_t MOST_BINS = size_t{1} << 14;
+    std::vector<double> histogram(std::min(MOST_BINS, static_cast<size_t>(highest - lowest) + 2));
     for (const double h : heights) {
         // Linear share between two bins: no jumps when a plane crosses the border of one.
         const auto bin = static_cast<size_t>(h - lowest);
         const double share = h - lowest - static_cast<double>(bin);
-        if (histogram.size() < bin + 2) histogram.resize(bin + 2);
-        histogram[bin] += 1 - share;
-        histogram[bin + 1] += share;
+        histogram[bin % histogram.size()] += 1 - share;
+        histogram[(bin + 1) % histogram.size()] += share;
     }
     double sum = 0;
     for (const double n : histogram) sum += n * n;
