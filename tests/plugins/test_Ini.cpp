@@ -161,3 +161,21 @@ TEST(Ini, KeyGivenTwiceInOneSectionIsRefusedWithBothLines)
                      "line 7 of 'my.ini' gives [MAP] Resolution again: line 2 does too; keep one");
     }
 }
+
+TEST(Ini, AMapHoldsNoConfigurationWithoutEnd)
+{
+    std::string many = "[map]\n", large = "[map]\na = ";
+    for (int i = 0; i < 9999; ++i) many += "k" + std::to_string(i) + " = 1\n";
+    large.resize((1 << 20) - 1, 'x');
+    EXPECT_EQ(Ini::fromMap(many, "m.voxeland").keys("map").size(), 9999U);
+    EXPECT_NO_THROW(Ini::fromMap(large + "\n", "m.voxeland"));
+    for (const std::string& text : {many + "a = 1\n", large + "xx\n"}) try
+        {
+            Ini::fromMap(text, "m.voxeland");
+            FAIL() << "taken";
+        } catch (const ConfigurationError& e) {
+            EXPECT_NE(std::string(e.what()).find("'m.voxeland' is longer"), std::string::npos)
+                << e.what();
+        }
+    EXPECT_NO_THROW(Ini::fromText(many + "a = 1\n", "my.ini")) << "of a user";
+}

@@ -190,6 +190,12 @@ Ini Ini::fromText(const std::string& text, const std::string& origin)
 
 Ini Ini::fromMap(const std::string& text, const std::string& origin)
 {
+    constexpr size_t MOST_BYTES = size_t{1} << 20, MOST_LINES = 10000;  // ours have 200 lines
+    if (text.size() > MOST_BYTES ||
+        static_cast<size_t>(std::count(text.begin(), text.end(), '\n')) > MOST_LINES)
+        throw ConfigurationError("the configuration in '" + origin +
+                                 "' is longer than 1 MiB or 10000 lines, which is none of "
+                                 "Voxeland's: map its rawlog again");
     const std::string plain = withoutDirectives(plainLines(text));
     checkLines(plain, origin);
     Ini ini;

@@ -26,7 +26,7 @@ class Ini
     /** \param origin what to call it in messages \throws ConfigurationError if it is not an INI */
     static Ini fromText(const std::string& text, const std::string& origin);
     /** The configuration stored in a map. \param origin what to call the map in messages
-     *  \throws ConfigurationError if it is not an INI */
+     *  \throws ConfigurationError if it is not an INI, or longer than 1 MiB or 10000 lines */
     static Ini fromMap(const std::string& text, const std::string& origin);
     /** Takes over the sections called `<prefix>_<name>` of another program's INI.
      *  \param names the names to look for. What the user wrote there, before MRPT expanded it, is
