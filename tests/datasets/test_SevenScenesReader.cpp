@@ -205,6 +205,8 @@ TEST_F(SevenScenesReaderTest, aFrameWithADamagedImageIsLeftOut)
     expectReason("images of another size than those of other frames", "31 columns");
     cv::imwrite(stem + ".depth.png", cv::Mat(24, 32, CV_16U, cv::Scalar(0)));
     expectReason("nothing measured in the depth image", "zeros");
+    cv::imwrite(stem + ".depth.png", cv::Mat(25, 32, CV_16U, cv::Scalar(7)));
+    expectReason("depth image has too many pixels for the camera", "25 rows");
     cv::imwrite(stem + ".depth.png", cv::Mat(24, 32, CV_16U, cv::Scalar(65535)));
     expectReason("nothing measured in the depth image", "all too far");
 }

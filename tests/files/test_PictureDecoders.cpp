@@ -9,6 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
+#include <zlib.h>
 
 using namespace voxeland;
 
@@ -68,4 +69,40 @@ TEST(PictureDecoders, APictureThatPromisesMorePixelsThanAnyFrameHasIsDamagedAndN
     EXPECT_TRUE(image.isEmpty());
     EXPECT_EQ(damagedPictures(), before + 1);
     EXPECT_FALSE(RefusedMemory::isNoted());
+}
+
+TEST(PictureDecoders, APictureOfMorePixelsThanTheLimitIsNotDecoded)
+{
+    for (const char* ending : {".png", ".jpg"}) {
+        const std::vector<uint8_t> bytes = encoded(ending);  // of 60x40
+        const uint64_t before = oversizedPictures();
+        const auto decoded = [&] {
+            try {
+                return !cv::imdecode(bytes, cv::IMREAD_UNCHANGED).empty();
+            } catch (const std::exception&) {
+                return false;
+            }
+        };
+        {
+            const PictureLimit enough(60 * 40), moreDoesNotHelp(1000000);
+            EXPECT_TRUE(decoded());
+            const PictureLimit limit(60 * 40 - 1);
+            EXPECT_FALSE(decoded());
+        }
+        EXPECT_TRUE(decoded());
+        EXPECT_EQ(oversizedPictures(), before + 1) << ending;
+    }
+}
+
+TEST(PictureDecoders, APngOfAGigapixelIsNotDecoded)
+{
+    // Rows of zeros: 9e8 pixels of 16 bits, of which the file needs the header alone.
+    std::vector<uint8_t> bytes = encoded(".png");
+    const std::vector<uint8_t> sides = {0, 0, 0x75, 0x30, 0, 0, 0x75, 0x30};  // 30000 each
+    std::copy(sides.begin(), sides.end(), bytes.begin() + 16);
+    const uLong check = crc32(0, bytes.data() + 12, 17);
+    for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<uint8_t>(check >> (24 - 8 * i));
+    const uint64_t before = oversizedPictures();
+    EXPECT_TRUE(cv::imdecode(bytes, cv::IMREAD_UNCHANGED).empty());
+    EXPECT_EQ(oversizedPictures(), before + 1);
 }

@@ -42,11 +42,13 @@ bool isCutJpeg(const std::vector<char>& bytes)
 
 cv::Mat decodeImage(const std::vector<char>& bytes, const std::string& which)
 {
-    const uint64_t damagedBefore = damagedPictures();
+    const uint64_t damagedBefore = damagedPictures(), oversizedBefore = oversizedPictures();
     cv::Mat image;
     errno = 0;
     const SilentDecoders silent;
     if (!bytes.empty() && !isCutJpeg(bytes)) image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
+    if (oversizedPictures() != oversizedBefore)
+        throw UnusableFrame(which + " has too many pixels for the camera");
     if (image.empty()) RefusedMemory::noteErrno();
     if (image.empty() || damagedPictures() != damagedBefore)
         throw UnusableFrame(which + " is damaged");

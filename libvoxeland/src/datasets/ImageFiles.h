@@ -19,7 +19,7 @@ namespace voxeland
 {
 /** Decodes an image of a frame, whole and with its own depth and channels.
  *  \param which of its images, for the message, e.g. "depth image"
- *  \throws UnusableFrame if it is damaged or cut off */
+ *  \throws UnusableFrame if it is damaged or cut off, or larger than a PictureLimit */
 cv::Mat decodeImage(const std::vector<char>& bytes, const std::string& which);
 
 /** Reads an image file as decodeImage() does. */

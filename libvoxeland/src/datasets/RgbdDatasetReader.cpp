@@ -72,7 +72,7 @@ std::optional<RgbdDatasetReader::FrameSizes> RgbdDatasetReader::usualSizes() con
     size_t readable = 0;
     for (size_t i = 0; i < m_frames.size() && readable < ENOUGH; i += step) {
         try {
-            const FrameSizes sizes = sizesOf(read(i));
+            const FrameSizes sizes = sizesOf(readLimited(i));
             ++readable;
             if (++votes[sizes] > (usual ? votes[*usual] : 0)) usual = sizes;
         } catch (const UnusableFrame&) {  // next() says so
@@ -119,9 +119,20 @@ void RgbdDatasetReader::applyPoseOptions(mrpt::math::TPose3D& pose) const
     pose = (given + -poseOfAxes(m_options.poseAxes)).asTPose();
 }
 
+RgbdRecord RgbdDatasetReader::readLimited(size_t index) const
+{
+    constexpr uint64_t MOST_PIXELS = 1 << 25;  // as loadDepthImage() reads
+    const auto pixels = [](const ImageSize& size) {
+        return static_cast<uint64_t>(size.width) * static_cast<uint64_t>(size.height);
+    };
+    const PictureLimit limit(m_sizes ? std::max(pixels(m_sizes->depth), pixels(m_sizes->colour))
+                                     : MOST_PIXELS);
+    return read(index);
+}
+
 RgbdRecord RgbdDatasetReader::load(size_t index) const
 {
-    RgbdRecord record = read(index);
+    RgbdRecord record = readLimited(index);
     const FrameSizes sizes = sizesOf(record);
     if (m_sizes && (sizes < *m_sizes || *m_sizes < sizes))
         throw UnusableFrame("images of another size than those of other frames");

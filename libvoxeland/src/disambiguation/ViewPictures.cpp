@@ -3,7 +3,8 @@
 
 #include "rawlogs/FrameFinder.h"
 #include "voxeland/base/errors.h"
-#include "voxeland/files/InputFile.h"
+#include "voxeland/observations/ColourImage.h"
+#include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <opencv2/imgcodecs.hpp>
@@ -79,30 +80,16 @@ double scaleFor(const cv::Rect& part, uint32_t size)
     return std::min(MOST, static_cast<double>(size) / std::max(part.width, part.height));
 }
 
-/** A frame's colour image in BGR. */
+/** \throws InputError, naming the rawlog */
 cv::Mat colourImage(const RgbdFrame& frame, const std::string& rawlog)
 {
     if (!frame.scan->hasIntensityImage)
         throw InputError("'" + rawlog + "' has no colour images: there is nothing to show");
-    cv::Mat image;
     try {
-        const auto& stored = frame.scan->intensityImage;
-        if (stored.isExternallyStored())
-            checkInputFile(stored.getExternalStorageFileAbsolutePath(), "the colour image");
-        stored.forceLoad();
-        image = stored.asCvMatRef();
-    } catch (const std::exception&) {
-        image.release();
+        return voxeland::colourImage(*frame.scan);
+    } catch (const UnusableFrame& e) {
+        throw InputError("'" + rawlog + "': " + e.what());
     }
-    if (image.empty())
-        throw InputError("a colour image of '" + rawlog +
-                         "' cannot be read: restore the rawlog's folder of images");
-    if (image.channels() == 1) {
-        cv::Mat bgr;
-        cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
-        return bgr;
-    }
-    return image;
 }
 
 [[noreturn]] void sayOther(const std::string& rawlog, const std::string& why)

@@ -7,6 +7,7 @@
 
 #include "voxeland/base/RefusedMemory.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <dlfcn.h>
 #include <iostream>
@@ -22,7 +23,17 @@
 
 namespace
 {
-thread_local uint64_t damaged = 0;
+constexpr uint64_t MOST_PIXELS = uint64_t{1} << 27;  // a header may promise 4 thousand million
+
+thread_local uint64_t damaged = 0, oversized = 0, mostPixels = MOST_PIXELS;
+
+/** Whether a picture is not to be decoded, by its header. */
+bool isOversized(uint64_t columns, uint64_t rows)
+{
+    if (columns * rows <= mostPixels) return false;
+    ++oversized;
+    return true;
+}
 
 /** The function of this name that would be found without this library. */
 template <typename Function>
@@ -83,8 +94,7 @@ jpeg_error_mgr* jpeg_std_error(jpeg_error_mgr* manager)
 boolean jpeg_start_decompress(j_decompress_ptr picture)
 {
     static const auto standard = original("jpeg_start_decompress", &jpeg_start_decompress);
-    constexpr uint64_t MOST_PIXELS = uint64_t{1} << 27;  // a header may promise 4 thousand million
-    if (uint64_t{picture->image_width} * picture->image_height > MOST_PIXELS) {
+    if (isOversized(picture->image_width, picture->image_height)) {
         picture->err->msg_code = JERR_IMAGE_TOO_BIG;
         picture->err->error_exit(reinterpret_cast<j_common_ptr>(picture));
     }
@@ -98,6 +108,14 @@ png_structp png_create_read_struct(png_const_charp version, png_voidp errorData,
     return standard(version, errorData, onError != nullptr ? onError : &leavePng,
                     onWarning != nullptr ? onWarning : &ignorePngWarning);
 }
+
+void png_read_info(png_structrp png, png_inforp info)
+{
+    static const auto standard = original("png_read_info", &png_read_info);
+    standard(png, info);
+    if (isOversized(png_get_image_width(png, info), png_get_image_height(png, info)))
+        png_error(png, "too many pixels");
+}
 }
 
 namespace voxeland
@@ -105,6 +123,21 @@ namespace voxeland
 uint64_t damagedPictures()
 {
     return damaged;
+}
+
+uint64_t oversizedPictures()
+{
+    return oversized;
+}
+
+PictureLimit::PictureLimit(uint64_t pixels) : m_before(mostPixels)
+{
+    mostPixels = std::min(mostPixels, pixels);
+}
+
+PictureLimit::~PictureLimit()
+{
+    mostPixels = m_before;
 }
 
 SilentDecoders::SilentDecoders() : m_stderr(std::cerr.rdbuf(nullptr)) {}

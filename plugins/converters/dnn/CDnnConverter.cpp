@@ -7,12 +7,10 @@
 #include "voxeland/base/errors.h"
 #include "voxeland/base/nearestWord.h"
 #include "voxeland/datasets/CategoryNames.h"
-#include "voxeland/files/InputFile.h"
-#include "voxeland/observations/UnusableFrame.h"
+#include "voxeland/observations/ColourImage.h"
 #include "voxeland/plugins/ClusteringKeys.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
-#include <mrpt/system/datetime.h>
 #include <mrpt/system/string_utils.h>
 #include <opencv2/imgproc.hpp>
 
@@ -21,35 +19,6 @@
 namespace voxeland
 {
 IMPLEMENTS_MRPT_OBJECT(CDnnConverter, voxeland::COpinionConverter, voxeland)
-
-namespace
-{
-/** The colour image of a scan, of 8 bits, blue, green and red. \throws UnusableFrame if there is
- * none */
-cv::Mat colourImage(const mrpt::obs::CObservation3DRangeScan& scan)
-{
-    const std::string frame =
-        "frame '" + scan.sensorLabel + "' of " + mrpt::system::dateTimeToString(scan.timestamp);
-    if (!scan.hasIntensityImage)
-        throw UnusableFrame(frame + " has no colour image, which a network needs");
-    cv::Mat image;
-    errno = 0;
-    try {
-        const auto& stored = scan.intensityImage;
-        if (stored.isExternallyStored())
-            checkInputFile(stored.getExternalStorageFileAbsolutePath(), "the colour image");
-        image = stored.asCvMat<cv::Mat>(mrpt::img::SHALLOW_COPY);
-    } catch (const std::exception&) {
-        RefusedMemory::noteErrno();
-        throw UnusableFrame("the colour image of " + frame +
-                            " cannot be read: restore the rawlog's folder of images");
-    }
-    if (image.empty()) throw UnusableFrame("the colour image of " + frame + " is empty");
-    if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
-    if (image.channels() == 4) cv::cvtColor(image, image, cv::COLOR_BGRA2BGR);
-    return image;
-}
-}  // namespace
 
 std::string CDnnConverter::description() const
 {

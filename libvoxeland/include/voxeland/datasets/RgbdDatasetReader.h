@@ -106,6 +106,8 @@ class RgbdDatasetReader
     /** Sizes of most frames, of a few all over the dataset; nothing if none of them can be read. */
     [[nodiscard]] std::optional<FrameSizes> usualSizes() const;
     void fitCameras();
+    /** read(), decoding no image of more pixels than the usual ones, or 33 million. */
+    [[nodiscard]] RgbdRecord readLimited(size_t index) const;
     /** Makes the camera's pose of one that was read as that of its optical axes. */
     void applyPoseOptions(mrpt::math::TPose3D& pose) const;
 
