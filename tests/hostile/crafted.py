@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Inputs that somebody thought of: wrong kinds of files, long words, deep nests, absurd numbers."""
+import gzip
 import json
 import os
+import struct
 from pathlib import Path
 
+from good_inputs import largePng
 from judge import Case
 
 LONG = "x" * 60000
+SECRET = "sk-Secret-0123456789"
 DEEP = "[" * 100000 + "]" * 100000
 MAP = ["rawlog2voxeland", "-i", "sim.rawlog", "-o", "out.voxeland", "--quiet"]
 ADD = ["rawlog-add-instances", "-i", "sim.rawlog", "-o", "out.rawlog", "--coco"]
@@ -18,7 +22,7 @@ def written(file, text):
     def prepare():
         Path(file).unlink(missing_ok=True)
         Path(file).parent.mkdir(parents=True, exist_ok=True)
-        Path(file).write_text(text)
+        Path(file).write_bytes(text if isinstance(text, bytes) else text.encode())
     return prepare
 
 
@@ -118,5 +122,74 @@ def others():
     ]
 
 
+def secrets():
+    """What must not be shown: the environment's variables in an INI, keys in a wrong place."""
+    os.environ["VOXELAND_HOSTILE_SECRET"] = SECRET
+    it = "$env{VOXELAND_HOSTILE_SECRET}"
+    ask = ["voxeland-disambiguate", "-m", "map.voxeland", "-i", "sim.rawlog", "-o", "out.voxeland", "-c", "my.ini"]
+    chat = "[disambiguation]\nclass = CChatCompletionsDisambiguator\nbase_url = http://localhost:9/v1\nmodel = m\n"
+    inis = {"a number": (MAP + ["-c", "my.ini"], f"[map]\nresolution = {it}\n"),
+            "a class": (MAP + ["-c", "my.ini"], f"[association]\nclass = {it}\n"),
+            "a library": (MAP + ["-c", "my.ini"], f"[association]\nclass = C\nplugin = {it}\n"),
+            "a label": (MAP + ["-c", "my.ini"], f"[voxeland]\ndepth_sensor_label = {it}\n"),
+            "a file of poses": (MAP + ["-c", "my.ini"], f"[voxeland]\npose_source = tum:{it}\n"),
+            "all of it": (["rawlog2voxeland", "-c", "my.ini", "--dump-config"], f"{chat}system_message = {it}\n"),
+            "a server": (ask, f"{chat}ca_file = {it}\nextra_body = {it}\n"),
+            "a key as a name": (ask, f"{chat}api_key_env = {SECRET}\n"),
+            "a key as a name to map": (MAP + ["-c", "my.ini"], f"{chat}api_key_env = {SECRET}\n")}
+    key = ["--set", f"disambiguation.api_key={SECRET}"]
+    return ([Case(f"secret, {name}", command, written("my.ini", text), secret=SECRET)
+             for name, (command, text) in inis.items()]
+            + [Case("secret, a key of no name", MAP + key, secret=SECRET)])
+
+
+def configured(text):
+    """A map that says to be configured so."""
+    def prepare():
+        content = gzip.decompress(Path("map.voxeland").read_bytes())
+        begin = content.index(b"[voxeland]\n")
+        (length,) = struct.unpack("<I", content[begin - 4:begin])
+        Path("map.voxeland").unlink()
+        Path("map.voxeland").write_bytes(gzip.compress(
+            content[:begin - 4] + struct.pack("<I", len(text)) + text + content[begin + length:], 1))
+    return prepare
+
+
+def large(file, side):
+    def prepare():
+        Path(file).unlink()
+        Path(file).write_bytes(largePng(side))
+    return prepare
+
+
+def endless():
+    """Small or plain inputs that ask for much time or memory."""
+    resume = MAP + ["--resume", "map.voxeland"]
+    keys = b"[map]\n" + b"".join(b"k%d=1\n" % i for i in range(3000000))
+    sections = b"".join(b"[s%d]\n" % i for i in range(2000000))
+    bombs = ["scene/seq-01/frame-000001.depth.png", "scene/seq-01/frame-000000.color.png"]
+    sevenScenes = ["rgbd2rawlog", "--format", "7scenes", "--input", "scene", "-o", "out.rawlog", "--quiet"]
+    tum = ["rgbd2rawlog", "--format", "tum", "--input", "freiburg1_small", "-o", "out.rawlog", "--to", "2", "--quiet"]
+
+    def repeated(kinds):
+        def prepare():
+            for kind in kinds:
+                written(f"freiburg1_small/{kind}.txt", f"1000.0 {kind}/1000.0.png\n" * 60000)()
+        return prepare
+    spread = ["voxeland-export", "-m", "spread.voxeland"]
+    return [
+        Case("endless, keys of a map", resume, configured(keys), "out.voxeland"),
+        Case("endless, sections of a map", resume, configured(sections), "out.voxeland"),
+        Case("endless, times of TUM that repeat", tum, repeated(["rgb", "depth"])),
+        Case("endless, poses of TUM that repeat", tum, written(
+            "freiburg1_small/groundtruth.txt", "1000.0 0 0 1 0 0 0 1\n" * 300000)),
+        Case("endless, a grid of a spread map", spread + ["--gridmap", "out.gridmap"]),
+        Case("endless, a map for ROS of a spread map", spread + ["--ros-map", "out.yaml", "--height=-1000,1000"]),
+    ] + [Case(f"endless, pixels of {file}", sevenScenes, large(file, 30000)) for file in bombs] + [
+        Case("a class without objects", ["rawlog2voxeland", "-i", "it", "-o", "out.voxeland"], written(
+            "it", b"\x97mrpt::obs::CObservation" + b"\x01" * 100)),
+    ]
+
+
 def cases():
-    return specialFiles() + words() + annotations() + others()
+    return specialFiles() + words() + annotations() + others() + secrets() + endless()

@@ -22,13 +22,27 @@ COCO = {"images": [{"id": i, "file_name": f"{i}.png"} for i in range(4)],
                          "segmentation": [[5, 5, 40, 5, 40, 40.5, 5, 40]]} for i in range(4)]}
 
 
+def chunk(kind, data):
+    """A part of a PNG."""
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
 def png(width, height, bits, value):
     """A grey PNG of one value."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     row = b"\0" + struct.pack(">H" if bits == 16 else ">B", value) * width
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, bits, 0, 0, 0, 0))
             + chunk(b"IDAT", zlib.compress(row * height)) + chunk(b"IEND", b""))
+
+
+def largePng(side):
+    """A black PNG of 16 bits: its rows are packed once, and repeated."""
+    rows = 100
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    portion = packer.compress(bytes((1 + 2 * side) * rows)) + packer.flush(zlib.Z_FULL_FLUSH)
+    adler = ((1 + 2 * side) * side % 65521) << 16 | 1
+    packed = b"\x78\x9c" + portion * (side // rows) + b"\x03\x00" + struct.pack(">I", adler)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 16, 0, 0, 0, 0))
+            + chunk(b"IDAT", packed) + chunk(b"IEND", b""))
 
 
 def sens(frames):
@@ -75,6 +89,12 @@ def scenenn(folder):
                                     '<label id="2" text="table" nyu_class="table"/></annotation>\n')
 
 
+def spread(trajectory):
+    """The poses of a trajectory, kilometres from each other."""
+    poses = [line.split() for line in trajectory.splitlines() if not line.startswith("#")]
+    return "".join(f"{p[0]} {3000 * i} {-7000 * i} {p[3]} {' '.join(p[4:])}\n" for i, p in enumerate(poses))
+
+
 def makeGoodInputs(programs, folder):
     """Fills a folder. \\return it"""
     folder.mkdir()
@@ -86,6 +106,9 @@ def makeGoodInputs(programs, folder):
          "--width", "80", "--height", "60", "--quiet")
     made("rawlog2voxeland", "-i", "sim.rawlog", "-o", "map.voxeland", "--timing", "timing.csv",
          "--set", "map.resolution=0.1", "--quiet")
+    (folder / "spread.tum").write_text(spread((folder / "truth/trajectory.tum").read_text()))
+    made("rawlog2voxeland", "-i", "sim.rawlog", "-o", "spread.voxeland", "--poses", "spread.tum",
+         "--set", "map.resolution=0.05", "--quiet")
     (folder / "my.ini").write_text(INI)
     (folder / "names.csv").write_text(CSV)
     (folder / "coco.json").write_text(json.dumps(COCO))

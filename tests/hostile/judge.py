@@ -11,7 +11,8 @@ MEMORY = 6 * 2**30  # [bytes], of addresses
 SENTENCE = 300  # [characters]
 CODES = range(6)  # as the programs' --help has them
 JARGON = ["[json.exception", "filesystem error", "terminate called", "OpenCV(", "libpng ", "JPEG data", "stod",
-          "std::", "autofixing", "bad_alloc", "MRPT_", "what():", "cURL", "CLI::", "AddressSanitizer"]
+          "std::", "autofixing", "bad_alloc", "MRPT_", "what():", "cURL", "CLI::", "AddressSanitizer",
+          "TRuntimeClassId", "Assert condition"]
 
 
 @dataclass
@@ -23,6 +24,7 @@ class Case:
     prepare: Callable[[], None] = lambda: None  # makes the input, in the current folder
     output: Optional[str] = None  # file that the program writes if it succeeds
     mayHaveSaved: bool = field(default=False)  # the output may be there although it failed
+    secret: Optional[str] = None  # must not be printed
 
 
 @dataclass
@@ -31,6 +33,7 @@ class Ended:
 
     code: Optional[int]
     errors: str
+    output: str = ""
 
     def shown(self):
         return f"code {self.code}: {self.errors[-500:]!r}"
@@ -47,7 +50,8 @@ def run(programs, command):
                                stdin=subprocess.DEVNULL, timeout=SECONDS, preexec_fn=limit)
     except subprocess.TimeoutExpired:
         return Ended(None, "")
-    return Ended(ended.returncode, ended.stderr.decode("utf-8", "surrogateescape"))
+    return Ended(ended.returncode, ended.stderr.decode("utf-8", "surrogateescape"),
+                 ended.stdout.decode("utf-8", "surrogateescape"))
 
 
 def hasControls(text):
@@ -65,6 +69,8 @@ def verdict(ended, before, case):
         return "control characters, or text that is no UTF-8"
     if any(word in ended.errors for word in JARGON):
         return "the words of a library"
+    if case.secret and case.secret in ended.errors + ended.output:
+        return "what is to be hidden"
     if ended.code != 0:
         if not lines or not lines[-1].startswith(case.command[0] + ": "):
             return "no sentence"

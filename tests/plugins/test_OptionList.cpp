@@ -363,7 +363,7 @@ TEST(OptionList, ShowsTheNameOfAVariableOnlyIfThereIsOne)
         list.load(Ini::fromText("[s]\nkey_env = " + value + "\n", "a text"), "s", problems);
         std::ostringstream out;
         list.print(out, "s");
-        if (problems.empty()) EXPECT_EQ(variable, value);
+        EXPECT_TRUE(variable == value || !problems.empty());
         for (const std::string& problem : problems) out << problem;
         return out.str();
     };
