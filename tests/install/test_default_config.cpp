@@ -17,8 +17,8 @@ TEST(DefaultConfig, isUpToDate)
 
 TEST(DefaultConfig, readsBackAsItIs)
 {
-    const auto dumped =
-        test::runProgram("rawlog2voxeland", {"-c", VOXELAND_DEFAULT_CONFIG, "--dump-config", "all"});
+    const auto dumped = test::runProgram("rawlog2voxeland",
+                                         {"-c", VOXELAND_DEFAULT_CONFIG, "--dump-config", "all"});
     ASSERT_EQ(dumped.exitCode, 0) << dumped.errors;
     EXPECT_EQ(test::readFile(VOXELAND_DEFAULT_CONFIG), dumped.output);
 }

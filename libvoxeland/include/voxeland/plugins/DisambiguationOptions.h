@@ -15,15 +15,15 @@ struct DisambiguationOptions
     uint32_t max_questions = 0;       //!< of a run, the most uncertain first; 0: no limit
     uint32_t max_categories = 3;      //!< candidates of a question
     uint32_t views_per_category = 3;  //!< M in the paper
-    double crop_margin = 0.25;    //!< around the object, in shares of its longer side
-    uint32_t picture_size = 512;  //!< longer side of a picture [pixels]
-    bool whole_frame = false;     //!< also show the best view's whole frame
-    bool voxel_picture = true;    //!< also show the reconstructed geometry
-    std::string prompt;           //!< file of the prompt's template; empty: the built-in one
-    uint32_t max_attempts = 3;    //!< questions until an answer can be used
-    uint32_t parallel = 4;        //!< questions asked at a time
-    double decision_weight = 2;   //!< evidence of an answer, as a multiple of all there is before
-    double prompt_price = 0;      //!< of a million tokens of question, in any currency
-    double answer_price = 0;      //!< of a million tokens of answer
+    double crop_margin = 0.25;        //!< around the object, in shares of its longer side
+    uint32_t picture_size = 512;      //!< longer side of a picture [pixels]
+    bool whole_frame = false;         //!< also show the best view's whole frame
+    bool voxel_picture = true;        //!< also show the reconstructed geometry
+    std::string prompt;               //!< file of the prompt's template; empty: the built-in one
+    uint32_t max_attempts = 3;        //!< questions until an answer can be used
+    uint32_t parallel = 4;            //!< questions asked at a time
+    double decision_weight = 2;  //!< evidence of an answer, as a multiple of all there is before
+    double prompt_price = 0;     //!< of a million tokens of question, in any currency
+    double answer_price = 0;     //!< of a million tokens of answer
 };
 }  // namespace voxeland
