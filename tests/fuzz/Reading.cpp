@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reading.h"
 
+#include "support/TestFiles.h"
+
 #include <mrpt/core/backtrace.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <zlib.h>
+
+namespace fs = std::filesystem;
 
 /** MRPT's own names every function that an exception came through, which takes most of the time of
  *  who makes damaged files. Another definition than theirs, which is found first. */
@@ -43,6 +48,22 @@ int readOrRefuse(const std::function<void()>& read)
         checkSentence(e);
     }
     return 0;
+}
+
+MadeUpFile::MadeUpFile(const std::string& name) : m_folder("made_up_" + name), m_path(beside(name))
+{
+    fs::create_directories(m_folder);
+}
+
+MadeUpFile::~MadeUpFile()
+{
+    std::error_code ignored;
+    fs::remove_all(m_folder, ignored);
+}
+
+std::string MadeUpFile::beside(const std::string& name) const
+{
+    return m_folder + "/" + name;
 }
 
 const std::string& MadeUpFile::holding(const uint8_t* data, size_t size) const

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "support/TestFiles.h"
 #include "voxeland/base/errors.h"
 
 #include <cstdint>
@@ -16,15 +15,20 @@ namespace voxeland::fuzz
  *  \return 0, which says that the input may serve for further ones */
 int readOrRefuse(const std::function<void()>& read);
 
-/** A file of made-up content, in a folder of its own that is removed at the end. */
+/** A file of made-up content, in a folder of its own that is removed at the end. That is in the
+ *  current folder: the path is the same each time, and so is what a fuzzer sees of the code. */
 class MadeUpFile
 {
  public:
-    explicit MadeUpFile(const std::string& name) : m_path(m_folder.file(name)) {}
+    explicit MadeUpFile(const std::string& name);
+    ~MadeUpFile();
+    MadeUpFile(const MadeUpFile&) = delete;
+    MadeUpFile& operator=(const MadeUpFile&) = delete;
 
     [[nodiscard]] const std::string& path() const { return m_path; }
-    /** The file's folder, for what belongs beside it. */
-    [[nodiscard]] const test::TemporaryFolder& folder() const { return m_folder; }
+    [[nodiscard]] const std::string& folder() const { return m_folder; }
+    /** Path of another file in the folder. */
+    [[nodiscard]] std::string beside(const std::string& name) const;
     /** Path of the file, of this content now. */
     const std::string& holding(const uint8_t* data, size_t size) const;
     /** The same, of compressed content, as rawlogs and maps are: a fuzzer cannot guess a checksum.
@@ -32,7 +36,6 @@ class MadeUpFile
     const std::string& compressing(const uint8_t* data, size_t size) const;
 
  private:
-    test::TemporaryFolder m_folder;
-    std::string m_path;
+    std::string m_folder, m_path;
 };
 }  // namespace voxeland::fuzz

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     static const fuzz::MadeUpFile file("in.instances.rawlog");
     static const std::string rawlog = [] {
-        std::string name = file.folder().file("in.rawlog");
+        std::string name = file.beside("in.rawlog");
         test::writeRawlog(name, test::smallFrames(2));
         return name;
     }();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Runs a fuzz target on files, and on those of folders, without a fuzzer. */
 #include "Reading.h"
+#include "support/TestFiles.h"
 
 #include <filesystem>
 #include <iostream>
