@@ -2,12 +2,12 @@
 #include "InstanceExplanation.h"
 
 #include "base/ClassicNumbers.h"
+#include "base/timeText.h"
 #include "exporters/JsonValues.h"
 #include "voxeland/base/counted.h"
 #include "voxeland/base/printable.h"
 
 #include <mrpt/core/format.h>
-#include <mrpt/system/datetime.h>
 
 #include <algorithm>
 
@@ -88,7 +88,7 @@ json_t toJson(const SemanticVoxelMap& map, const Decision& d)
             {"source", d.source},
             {"model", d.model},
             {"answer", d.answer},
-            {"time", mrpt::system::dateTimeToString(d.time)},
+            {"time", timeText(d.time)},
             {"questions", d.questions},
             {"seconds", d.seconds},
             {"prompt_tokens", d.promptTokens},

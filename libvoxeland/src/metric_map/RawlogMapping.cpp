@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/metric_map/RawlogMapping.h"
 
+#include "base/timeText.h"
 #include "pipeline/FramePredictor.h"
 #include "voxeland/base/errors.h"
 #include "voxeland/base/numbers.h"
 #include "voxeland/observations/UnusableFrame.h"
-
-#include <mrpt/system/datetime.h>
 
 #include <utility>
 
@@ -59,7 +58,7 @@ std::optional<PreparedFrame> nextUsable(FramePreparer& preparer, LeftOut& leftOu
         try {
             auto frame = preparer.next();
             if (!frame || frame->voxels.depths().pixels > 0) return frame;
-            leftOut.add("the frame of " + mrpt::system::dateTimeToString(frame->time) +
+            leftOut.add("the frame of " + timeText(frame->time) +
                         " measured nothing: all of its depth image is unknown");
         } catch (const UnusableFrame& e) {
             unreadable = true;

@@ -4,11 +4,11 @@
 #include "CameraCheck.h"
 #include "MaskCamera.h"
 #include "base/sizeText.h"
+#include "base/timeText.h"
 #include "voxeland/base/numbers.h"
 #include "voxeland/observations/UnusableFrame.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
-#include <mrpt/system/datetime.h>
 
 #include <cmath>
 
@@ -30,7 +30,7 @@ bool isWellInside(double coordinate, unsigned pixels)
 
 std::string frameName(const mrpt::obs::CObservation& o)
 {
-    return "frame '" + o.sensorLabel + "' of " + mrpt::system::dateTimeToString(o.timestamp);
+    return "frame '" + o.sensorLabel + "' of " + timeText(o.timestamp);
 }
 
 void checkDepthImage(const CObservation3DRangeScan& scan)

@@ -3,13 +3,13 @@
 
 #include "MaskCamera.h"
 #include "base/Reading.h"
+#include "base/timeText.h"
 #include "voxeland/base/counted.h"
 #include "voxeland/base/numbers.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <mrpt/serialization/CArchive.h>
-#include <mrpt/system/datetime.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ void FrameAssembler::addPose(const mrpt::Clock::time_point& time, const mrpt::ma
                              PoseCovariance covariance)
 {
     if (time == INVALID_TIMESTAMP) return m_oddPoses.add("a pose has no timestamp");
-    const auto named = [&] { return "the pose of " + mrpt::system::dateTimeToString(time); };
+    const auto named = [&] { return "the pose of " + timeText(time); };
     if (!isFinite(pose)) return m_oddPoses.add(named() + " has numbers that are not finite");
     if (!isValidPose(mrpt::poses::CPose3D(pose)))
         return m_oddPoses.add(named() + " lies 1e9 m or more from the origin");
@@ -125,12 +125,11 @@ std::shared_ptr<const CObservationInstances> FrameAssembler::withoutOdd(
             usable.push_back(&p);
         else
             m_oddPredictions.add("prediction " + std::to_string(number) + " of the image of " +
-                                 mrpt::system::dateTimeToString(observation->timestamp) + " " +
-                                 oddity);
+                                 timeText(observation->timestamp) + " " + oddity);
     }
     if (usable.size() > MOST_PREDICTIONS) {
         m_oddPredictions.add("of " + counted(usable.size(), "prediction") + " of the image of " +
-                             mrpt::system::dateTimeToString(observation->timestamp) + " the " +
+                             timeText(observation->timestamp) + " the " +
                              std::to_string(MOST_PREDICTIONS) +
                              " with the highest scores are used: raise the detector's threshold");
         std::stable_sort(usable.begin(), usable.end(),
