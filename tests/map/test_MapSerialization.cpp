@@ -243,12 +243,12 @@ TEST(MapSerialization, ATruthMayBeAnyByte)
     map.createInstance().views.add(0, view, 1);
     const std::string bytes = bytesOf(map);
     const size_t truth = bytes.find(bytesOf(view.area)) + sizeof(view.area);
-    for (const unsigned char byte : {1, 2, 0x80, 0xFF}) {
+    for (const int byte : {1, 2, 0x80, 0xFF}) {
         std::string odd = bytes;
         odd.at(truth) = static_cast<char>(byte);
         const SemanticVoxelMap read = mapFrom(odd);
-        EXPECT_EQ(bytesOf(read), bytes) << int{byte};
-        EXPECT_EQ(read.instance(1).views.of(0).at(0).quality(), view.quality()) << int{byte};
+        EXPECT_EQ(bytesOf(read), bytes) << byte;
+        EXPECT_EQ(read.instance(1).views.of(0).at(0).quality(), view.quality()) << byte;
     }
 }
 
