@@ -22,7 +22,7 @@ MapperConfig config()
 {
     return MapperConfig(
         Ini::fromText("[association]\ntau_iou = 0.375\n"
-                      "[refinement]\nevery = 4\nmerge_ios = 0.625\ncontinuity = false\n",
+                      "[refinement]\nevery = 4\nmerge_ios = 0.625\nablation = continuity\n",
                       "the test"));
 }
 
@@ -62,7 +62,7 @@ TEST(MappingTrace, TellsOfEveryOpinionAndChangesNothing)
     EXPECT_EQ(thresholds.at("association").at("tau_iou"), 0.375);
     EXPECT_EQ(thresholds.at("association").at("class"), "CEvidentialAssociation");
     EXPECT_EQ(thresholds.at("refinement").at("merge_ios"), 0.625);
-    EXPECT_EQ(thresholds.at("refinement").at("continuity"), false);
+    EXPECT_EQ(thresholds.at("refinement").at("ablation"), "continuity");
 
     uint32_t opinions = 0;
     std::set<instance_id_t> created;
