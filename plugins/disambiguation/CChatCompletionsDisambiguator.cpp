@@ -276,7 +276,6 @@ std::string CChatCompletionsDisambiguator::sentence(const std::string& clause) c
     constexpr size_t LONGEST = 250;  // more may be said after it
     return shortened(withoutHidden("server " + m_url + " " + clause), LONGEST);
 }
-
 }  // namespace voxeland
 
 const voxeland::RegisteredClass<voxeland::CChatCompletionsDisambiguator> REGISTERED;
