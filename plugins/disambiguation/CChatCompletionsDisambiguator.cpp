@@ -57,8 +57,8 @@ std::string CChatCompletionsDisambiguator::description() const
 void CChatCompletionsDisambiguator::declareOptions(OptionList& options)
 {
     constexpr double MOST = std::numeric_limits<uint32_t>::max();
-    options.add("base_url", m_baseUrl,
-                "Where the server is, as far as /v1; by default Ollama on this machine");
+    options.addUrl("base_url", m_baseUrl,
+                   "Where the server is, as far as /v1; by default Ollama on this machine");
     options.add("model", m_chat.model, "Model to ask, as the server calls it");
     options.addVariableName(
         "api_key_env", m_keyVariable,
@@ -104,10 +104,6 @@ void CChatCompletionsDisambiguator::declareOptions(OptionList& options)
 std::vector<std::string> CChatCompletionsDisambiguator::configurationProblems()
 {
     std::vector<std::string> problems;
-    const bool isHttp = m_baseUrl.rfind("http://", 0) == 0 || m_baseUrl.rfind("https://", 0) == 0;
-    if (!isHttp || m_baseUrl.find('@') != std::string::npos)
-        problems.emplace_back("base_url = '" + m_baseUrl +
-                              "' is not of the form http[s]://host[:port]/path");
     if (m_chat.model.empty()) problems.emplace_back("model is not given: name the model to ask");
     if (!m_caFile.empty() && !std::filesystem::is_regular_file(m_caFile))
         problems.emplace_back("ca_file = '" + m_caFile + "' is not a file");

@@ -257,6 +257,35 @@ TEST_F(Trust, AskingShowsNothingThatWasExpanded)
     EXPECT_TRUE(has(test::readFile(file("report.json")), named)) << told;
 }
 
+TEST_F(Trust, APasswordInAUrlIsNotShown)
+{
+    const std::string keys = "class = CChatCompletionsDisambiguator\nmodel = m\nbase_url = ";
+    const std::string asText = "https://me:" + SECRET + "@host/v1";
+    ASSERT_EQ(map().exitCode, 0);
+    for (const std::string& url : {asText, "me:" + SECRET + "@host", "ftp" + asText.substr(5)}) {
+        test::writeFile(file("own.ini"), "[disambiguation]\n" + keys + url + "\n");
+        std::string told;
+        for (const std::vector<std::string>& how :
+             {std::vector<std::string>{"-c", file("own.ini")},
+              {"-c", file("own.ini"), "--dump-config"},
+              {"--set", "disambiguation.class=CChatCompletionsDisambiguator", "--set",
+               "disambiguation.base_url=" + url}})
+        {
+            const auto mapped = map(how);
+            EXPECT_EQ(mapped.exitCode, 1);
+            EXPECT_TRUE(has(mapped.errors, "base_url = '*@host")) << mapped.errors;
+            told += mapped.errors + mapped.output;
+        }
+        test::forgeConfiguration(file("m.voxeland"), "[disambiguation]\n" + keys + url + "\n");
+        const auto asked = test::runProgram(
+            "voxeland-disambiguate",
+            {"-m", file("m.voxeland"), "-i", file("r.rawlog"), "-o", file("n.voxeland")});
+        EXPECT_TRUE(has(asked.errors, "base_url = '*@host")) << asked.errors;
+        told += asked.errors + asked.output;
+        EXPECT_FALSE(has(told, SECRET)) << told;
+    }
+}
+
 TEST_F(Trust, AKeyInThePlaceOfItsVariablesNameIsNotShown)
 {
     for (const std::string& key : {SECRET, std::string("gsk_Secret0123456789")}) {

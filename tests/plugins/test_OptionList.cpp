@@ -323,6 +323,30 @@ TEST(OptionList, OfAMapOnlyPlainTextsAreTaken)
     EXPECT_EQ(GuardedOptions(Ini::fromMap(text, "m.voxeland")).label, "S\xC3\xBC\xC3\x9F 5$ {a}");
 }
 
+TEST(OptionList, OfUrlsNoPasswordIsShown)
+{
+    std::string url = "http://own";
+    OptionList list;
+    list.addUrl("url", url, "A server");
+    const auto problemOf = [&](const std::string& value) {
+        std::vector<std::string> problems;
+        list.load(Ini::fromText("[s]\nurl = " + value + "\n", "my.ini"), "s", problems);
+        return problems.empty() ? "" : problems[0];
+    };
+    for (const char* login :
+         {"https://me:pass@", "https://me:p@s/s@", "ftp://me@", "me:pass@"})
+        EXPECT_EQ(problemOf(std::string(login) + "host/v1"),
+                  "[s] url = '*@host/v1' is not of the form http[s]://host[:port]/path");
+    setenv("VOXELAND_TEST_VALUE", "host", 1);
+    EXPECT_NE(problemOf("https://me:pass@$env{VOXELAND_TEST_VALUE}"), "");
+    EXPECT_TRUE(contains(problemOf("ftp://host"), "'ftp://host' is not of the form"));
+    std::ostringstream printed;
+    list.print(printed, "s");
+    EXPECT_TRUE(contains(printed.str(), "\nurl = http://own\n")) << printed.str();
+    EXPECT_EQ(problemOf("https://host:1/v1"), "");
+    EXPECT_EQ(url, "https://host:1/v1");
+}
+
 TEST(OptionList, PrintsTheEnvironmentByName)
 {
     setenv("VOXELAND_TEST_VALUE", "7", 1);

@@ -33,6 +33,12 @@ bool isPlain(const std::string& text)
     return isPrintable(text);
 }
 
+/** Where in a URL the name and password end with which to log in; npos: it has none. */
+size_t endOfLogin(const std::string& url)
+{
+    return url.rfind('@');
+}
+
 bool isVariable(const std::string& name)
 {
     return name.empty() || std::getenv(name.c_str()) != nullptr;
@@ -83,6 +89,22 @@ void OptionList::add(const std::string& key, std::string& variable, const std::s
     m_options.back().isText = true;
 }
 
+void OptionList::addUrl(const std::string& key, std::string& variable, const std::string& comment)
+{
+    add(key, variable, comment);
+    Option& option = m_options.back();
+    option.parse = [&variable, asText = option.parse](const std::string& text) -> std::string {
+        const bool isHttp = text.rfind("http://", 0) == 0 || text.rfind("https://", 0) == 0;
+        if (!isHttp || endOfLogin(text) != std::string::npos)
+            return "is not of the form http[s]://host[:port]/path";
+        return asText(text);
+    };
+    option.secret = [](const std::string& url) {
+        const size_t end = endOfLogin(url);
+        return end == std::string::npos ? "" : url.substr(0, end);
+    };
+}
+
 void OptionList::addVariableName(const std::string& key, std::string& variable,
                                  const std::string& comment)
 {
@@ -102,7 +124,8 @@ void OptionList::addVariableName(const std::string& key, std::string& variable,
         },
         comment);
     m_options.back().ofMaps = noValue;
-    m_options.back().isText = m_options.back().isVariableName = true;
+    m_options.back().isText = true;
+    m_options.back().secret = [](const std::string& name) { return isVariable(name) ? "" : name; };
     concernsRun();
 }
 
@@ -211,19 +234,22 @@ void OptionList::load(const Ini& ini, const std::string& section,
             continue;
         }
         const std::string value = ini.value(section, key);
-        if (option->isVariableName && !isVariable(value)) hideText(value, HIDDEN);
+        const std::string secret = option->secret(value);
+        hideText(secret, HIDDEN);
+        const std::string shown = secret.empty() ? value : HIDDEN + value.substr(secret.size());
         const bool isLeftToUser =
             ini.isOfMap(section, key) && (!option->ofMaps(value) || !isPlain(value));
         if (isLeftToUser) {
             if (value != option->print())
-                m_leftToUser.push_back("[" + section + "] " + option->key + " = '" + value + "'");
+                m_leftToUser.push_back("[" + section + "] " + option->key + " = '" + shown + "'");
             continue;
         }
-        option->printed = printedFor(*option, ini, section);
         const std::string wrong = option->parse(value);
-        if (wrong.empty()) continue;
-        problems.push_back("[" + section + "] " + option->key + " = '" +
-                           (option->isVariableName ? HIDDEN : value) + "' " + wrong);
+        if (wrong.empty()) {
+            option->printed = printedFor(*option, ini, section);
+            continue;
+        }
+        problems.push_back("[" + section + "] " + option->key + " = '" + shown + "' " + wrong);
         if (value.find('#') != std::string::npos)
             problems.back() += " (comments behind a value start with ' //')";
     }

@@ -48,6 +48,9 @@ class OptionList
     void add(const std::string& key, double& variable, const Range& range,
              const std::string& comment);
 
+    /** Where a server is, http[s]://host[:port]/path. Name and password for it in front of the host
+     *  are refused, and hidden. */
+    void addUrl(const std::string& key, std::string& variable, const std::string& comment);
     /** The name of an environment variable, such as that of a key. Who takes it for the variable's
      *  value writes the key there: it is hidden, in print() too, unless a variable is called so. */
     void addVariableName(const std::string& key, std::string& variable, const std::string& comment);
@@ -135,7 +138,10 @@ class OptionList
         bool isFormer = false;                              //!< read, but not printed
         std::optional<std::string> printed = std::nullopt;  //!< instead of the value
         bool isOfRun = false;
-        bool isVariableName = false;
+        /** How a value begins that nobody may see: "" of one that everybody may. */
+        std::function<std::string(const std::string&)> secret = [](const std::string&) {
+            return std::string();
+        };
     };
 
     void addText(const std::string& key, Printer print, Parser parse, const std::string& comment);
