@@ -333,8 +333,7 @@ TEST(OptionList, OfUrlsNoPasswordIsShown)
         list.load(Ini::fromText("[s]\nurl = " + value + "\n", "my.ini"), "s", problems);
         return problems.empty() ? "" : problems[0];
     };
-    for (const char* login :
-         {"https://me:pass@", "https://me:p@s/s@", "ftp://me@", "me:pass@"})
+    for (const char* login : {"https://me:pass@", "https://me:p@s/s@", "ftp://me@", "me:pass@"})
         EXPECT_EQ(problemOf(std::string(login) + "host/v1"),
                   "[s] url = '*@host/v1' is not of the form http[s]://host[:port]/path");
     setenv("VOXELAND_TEST_VALUE", "host", 1);

@@ -60,6 +60,9 @@ std::shared_ptr<mrpt::opengl::COctoMapVoxels> voxelCubes(const SemanticVoxelMap&
     cubes->resizeVoxelSets(1);
     cubes->showVoxels(0, true);
     const auto colors = instanceColors(map);
+    size_t count = 0;
+    map.forEachVoxel([&](const VoxelCoord&, log_odds_t, const VoxelEvidence&) { ++count; });
+    cubes->reserveVoxels(0, count);
     const auto edge = static_cast<float>(map.resolution());
     constexpr double INF = std::numeric_limits<double>::infinity();
     TPoint3D least(INF, INF, INF), most(-INF, -INF, -INF);

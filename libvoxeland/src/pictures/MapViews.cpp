@@ -42,7 +42,7 @@ MapViews drawViews(const SemanticVoxelMap& map, const ViewOptions& options)
 
     MapViews views;
     views.azimuth = azimuth;
-    for (const ViewColoring& coloring : colorings(map, scene))
+    forEachColoring(map, scene, [&](const ViewColoring& coloring) {
         for (const bool top : {true, false}) {
             const ViewCamera& camera = top ? fromAbove : fromCorner;
             const std::string title = coloring.title + (top ? " (top view)" : " (perspective)");
@@ -56,6 +56,7 @@ MapViews drawViews(const SemanticVoxelMap& map, const ViewOptions& options)
             views.pictures.push_back(
                 {coloring.name + (top ? "_top" : "_perspective"), title, pngOf(sheet.image())});
         }
+    });
     return views;
 }
 

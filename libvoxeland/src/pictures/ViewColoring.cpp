@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <queue>
 
 namespace voxeland
 {
@@ -31,6 +32,7 @@ ViewColoring byInstance(const SemanticVoxelMap& map, const VoxelScene& scene)
 {
     ViewColoring coloring{"instances", "Instances", {}, {}, {}};
     const auto palette = instanceColors(map);
+    coloring.colors.reserve(scene.voxels().size());
     for (const SceneVoxel& v : scene.voxels()) coloring.colors.push_back(palette.at(v.winner));
     for (const InstanceSummary& s : bySize(map)) {
         coloring.legend.push_back(
@@ -57,6 +59,7 @@ ViewColoring byCategory(const SemanticVoxelMap& map, const VoxelScene& scene)
         ++counts[s.category()];
     }
     const auto palette = categoryColors(names);
+    coloring.colors.reserve(scene.voxels().size());
     for (const SceneVoxel& v : scene.voxels()) {
         const auto at = categoryOf.find(v.winner);
         coloring.colors.push_back(at == categoryOf.end() ? UNKNOWN_COLOR : palette.at(at->second));
@@ -76,22 +79,22 @@ struct Uncertainty
     std::function<bool(const SceneVoxel&)> isGrey;      //!< nothing can be said of the voxel
 };
 
-std::vector<double> valuesOf(const Uncertainty& uncertainty, const VoxelScene& scene)
-{
-    std::vector<double> values;
-    for (const SceneVoxel& v : scene.voxels())
-        if (!uncertainty.isGrey(v)) values.push_back(uncertainty.value(*v.evidence));
-    return values;
-}
-
-/** Red end of the colour bar: the 99 % quantile of the values, so that strays do not decide. */
-double barMaximum(std::vector<double> values)
+/** Red end of the colour bar: the 99 % quantile of the values, so that strays do not decide. Keeps
+ * those above it alone, as maps have millions. */
+double barMaximum(const Uncertainty& uncertainty, const VoxelScene& scene)
 {
     constexpr double LEAST = 0.05, SHARE = 0.99;
-    if (values.empty()) return LEAST;
-    const auto n = static_cast<long>(SHARE * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + n, values.end());
-    return std::max(LEAST, values[static_cast<size_t>(n)]);
+    const auto count = std::count_if(scene.voxels().begin(), scene.voxels().end(),
+                                     [&](const SceneVoxel& v) { return !uncertainty.isGrey(v); });
+    if (count == 0) return LEAST;
+    const auto below = static_cast<long>(SHARE * static_cast<double>(count - 1));
+    std::priority_queue<double, std::vector<double>, std::greater<>> highest;
+    for (const SceneVoxel& v : scene.voxels()) {
+        if (uncertainty.isGrey(v)) continue;
+        highest.push(uncertainty.value(*v.evidence));
+        if (highest.size() > static_cast<size_t>(count - below)) highest.pop();
+    }
+    return std::max(LEAST, highest.top());
 }
 
 ViewColoring byUncertainty(const Uncertainty& uncertainty, const VoxelScene& scene,
@@ -99,6 +102,7 @@ ViewColoring byUncertainty(const Uncertainty& uncertainty, const VoxelScene& sce
 {
     ViewColoring coloring{"uncertainty_" + uncertainty.name, uncertainty.title, {}, {}, {}};
     coloring.barMaximum = barMaximum;
+    coloring.colors.reserve(scene.voxels().size());
     for (const SceneVoxel& v : scene.voxels())
         coloring.colors.push_back(
             uncertainty.isGrey(v) ? UNKNOWN_COLOR
@@ -108,8 +112,11 @@ ViewColoring byUncertainty(const Uncertainty& uncertainty, const VoxelScene& sce
 }
 }  // namespace
 
-std::vector<ViewColoring> colorings(const SemanticVoxelMap& map, const VoxelScene& scene)
+void forEachColoring(const SemanticVoxelMap& map, const VoxelScene& scene,
+                     const std::function<void(const ViewColoring&)>& draw)
 {
+    draw(byInstance(map, scene));
+    draw(byCategory(map, scene));
     VoxelUncertainty entropies(map);
     const auto onlyUnknown = [](const SceneVoxel& v) {
         return !v.isObject() && v.evidence->size() <= 1;
@@ -124,11 +131,8 @@ std::vector<ViewColoring> colorings(const SemanticVoxelMap& map, const VoxelScen
          [&](const VoxelEvidence& e) { return entropies.categoryEntropy(e); }, onlyUnknown}};
     // One scale for all, so that the pictures can be compared. The last one is left out: it is
     // large where few measurements leave all categories open, and would make all others blue.
-    const double maximum = std::max(barMaximum(valuesOf(uncertainties[0], scene)),
-                                    barMaximum(valuesOf(uncertainties[1], scene)));
-
-    std::vector<ViewColoring> all = {byInstance(map, scene), byCategory(map, scene)};
-    for (const Uncertainty& u : uncertainties) all.push_back(byUncertainty(u, scene, maximum));
-    return all;
+    const double maximum =
+        std::max(barMaximum(uncertainties[0], scene), barMaximum(uncertainties[1], scene));
+    for (const Uncertainty& u : uncertainties) draw(byUncertainty(u, scene, maximum));
 }
 }  // namespace voxeland

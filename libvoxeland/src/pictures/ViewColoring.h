@@ -3,6 +3,7 @@
 #include "Colors.h"
 #include "VoxelScene.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct ViewColoring
     double barMaximum = 0;      //!< value of the colour bar's red end [nat]; 0: no bar
 };
 
-/** The five colourings of exportViews(). */
-std::vector<ViewColoring> colorings(const SemanticVoxelMap& map, const VoxelScene& scene);
+/** The five colourings of exportViews(), one after another: each has a colour for every voxel. */
+void forEachColoring(const SemanticVoxelMap& map, const VoxelScene& scene,
+                     const std::function<void(const ViewColoring&)>& draw);
 }  // namespace voxeland
