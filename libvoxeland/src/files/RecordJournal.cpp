@@ -50,11 +50,13 @@ RecordJournal::RecordJournal(std::string file, const std::string& title, const s
     if (!isFile)
         throw OutputError("cannot write " + m_file +
                           ": it is a link, a folder or a device: remove it");
-    if (flock(m_descriptor, LOCK_EX | LOCK_NB) != 0)
+    // Who held it until now may have added to it, or removed it.
+    if (flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 || fstat(m_descriptor, &status) != 0 ||
+        status.st_nlink == 0)
         throw OutputError("cannot write " + m_file +
                           ": another run with the same output is at it: wait for its end");
     m_size = static_cast<uint64_t>(status.st_size);
-    m_in.open(m_file, std::ios::binary);
+    m_in.open("/proc/self/fd/" + std::to_string(m_descriptor), std::ios::binary);
     const bool isAnEarlierOne = isOf(title, origin);
     checkRead();
     if (isAnEarlierOne) {

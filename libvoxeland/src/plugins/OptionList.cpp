@@ -93,7 +93,7 @@ void OptionList::addUrl(const std::string& key, std::string& variable, const std
 {
     add(key, variable, comment);
     Option& option = m_options.back();
-    option.parse = [&variable, asText = option.parse](const std::string& text) -> std::string {
+    option.parse = [asText = option.parse](const std::string& text) -> std::string {
         const bool isHttp = text.rfind("http://", 0) == 0 || text.rfind("https://", 0) == 0;
         if (!isHttp || endOfLogin(text) != std::string::npos)
             return "is not of the form http[s]://host[:port]/path";
