@@ -12,7 +12,7 @@ SENTENCE = 300  # [characters]
 CODES = range(6)  # as the programs' --help has them
 JARGON = ["[json.exception", "filesystem error", "terminate called", "OpenCV(", "libpng ", "JPEG data", "stod",
           "std::", "autofixing", "bad_alloc", "MRPT_", "what():", "cURL", "CLI::", "AddressSanitizer",
-          "TRuntimeClassId", "Assert condition"]
+          "TRuntimeClassId", "Assert condition", "MRPT exception"]
 
 
 @dataclass

@@ -148,6 +148,41 @@ TEST(Ini, ControlCharactersAreRefused)
     EXPECT_NO_THROW(Ini::fromText("[map]\n\tx = 1\t// one\r\n", "a text"));
 }
 
+TEST(Ini, LinesWithAnAtThatDefineNothingAreRefused)
+{
+    for (const char* line : {"@include nosuch.ini", "@inclde x", "@foo", "@define", "@defines A b"})
+        try {
+            Ini::fromText(std::string("[map]\n  ") + line + "\nx = 1\n", "my.ini");
+            ADD_FAILURE() << "passed over: " << line;
+        } catch (const ConfigurationError& e) {
+            EXPECT_STREQ(e.what(),
+                         "line 2 of 'my.ini' begins with '@' but is not '@define NAME VALUE'");
+        }
+    EXPECT_EQ(Ini::fromText(" @define\tA 1\n[map]\nx = ${A}\n", "my.ini").value("map", "x"), "1");
+}
+
+TEST(Ini, AnExpressionThatIsNoneIsNamedWithoutWhatItHolds)
+{
+    try {
+        Ini::fromText("[map]\nresolution = $eval{system(\"id\")}\n", "my.ini");
+        ADD_FAILURE() << "taken";
+    } catch (const ConfigurationError& e) {
+        EXPECT_STREQ(e.what(),
+                     "line 2 of 'my.ini' (resolution) has an $eval{} that is no expression of "
+                     "numbers");
+    }
+    setenv("VOXELAND_TEST_VALUE", "secret+", 1);
+    for (const char* expression :
+         {"$env{VOXELAND_TEST_VALUE}}", "1 + $env{VOXELAND_TEST_VALUE} +}"})
+        try {
+            Ini::fromText(std::string("[map]\nresolution = $eval{") + expression + "\n", "my.ini");
+            ADD_FAILURE() << "taken: " << expression;
+        } catch (const ConfigurationError& e) {
+            EXPECT_EQ(std::string(e.what()).find("secret"), std::string::npos) << e.what();
+        }
+    unsetenv("VOXELAND_TEST_VALUE");
+}
+
 TEST(Ini, KeyGivenTwiceInOneSectionIsRefusedWithBothLines)
 {
     const std::string once =

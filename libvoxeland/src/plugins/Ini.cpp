@@ -47,6 +47,14 @@ Identity identity(const std::string& section, const std::string& key)
     return {lowerCase(section), lowerCase(key)};
 }
 
+/** Whether MRPT's parser understands a line that begins with '@'. */
+bool isDefinition(const std::string& line)
+{
+    std::istringstream words(line);
+    std::string directive, variable;
+    return words >> directive >> variable && directive == "@define";
+}
+
 /** MRPT's parser passes over what it does not understand, and over all but the last of values for
  * one key; this does not. */
 void checkLines(const std::string& text, const std::string& origin)
@@ -65,6 +73,9 @@ void checkLines(const std::string& text, const std::string& origin)
         const bool follows = std::exchange(continued, !words.empty() && words.back() == '\\');
         if (words.empty() || follows) continue;
         if (words[0] == '[') section = trimmed(words.substr(1, words.find(']') - 1));
+        if (words[0] == '@' && !isDefinition(words))
+            throw ConfigurationError("line " + std::to_string(number) + " of '" + origin +
+                                     "' begins with '@' but is not '@define NAME VALUE'");
         const bool special = std::string("#;[@").find(words[0]) != std::string::npos;
         if (special || words.compare(0, 2, "//") == 0) continue;
         const size_t equals = line.find('=');
@@ -82,6 +93,27 @@ void checkLines(const std::string& text, const std::string& origin)
 
 using Content = mrpt::config::CConfigFileMemory;
 
+/** What MRPT finds wrong, in a sentence, without the text that it quotes: variables of the
+ * environment may be expanded in it. */
+std::string reasonOf(const std::string& text, const std::string& origin,
+                     const std::string& complaint)
+{
+    static const std::string EXPRESSION = "Error compiling expression (name=`Line ";
+    const size_t found = complaint.find(EXPRESSION);
+    if (found == std::string::npos)
+        return "'" + origin +
+               "' is not a valid INI: " + firstLine(complaint.substr(0, complaint.find(" near: ")));
+    const size_t number = std::strtoul(complaint.c_str() + found + EXPRESSION.size(), nullptr, 10);
+    std::istringstream in(text);
+    std::string line;
+    for (size_t i = 0; i < number && std::getline(in, line);) ++i;
+    const size_t equals = line.find('=');
+    const std::string key =
+        equals == std::string::npos ? "" : " (" + trimmed(line.substr(0, equals)) + ")";
+    return "line " + std::to_string(number) + " of '" + origin + "'" + key +
+           " has an $eval{} that is no expression of numbers";
+}
+
 /** \throws ConfigurationError, naming the origin, where MRPT finds it wrong */
 Content parsedByMrpt(const std::string& text, const std::string& origin)
 {
@@ -91,7 +123,7 @@ Content parsedByMrpt(const std::string& text, const std::string& origin)
         content.setContent(text);
         return content;
     } catch (const std::exception& e) {
-        throw ConfigurationError("'" + origin + "' is not a valid INI: " + firstLine(e.what()));
+        throw ConfigurationError(reasonOf(text, origin, e.what()));
     }
 }
 
