@@ -62,9 +62,9 @@ void raysOccupancyAndEvidence(benchmark::State& state)
         const auto space = castRays(frames[n].voxels, config.integration.visibility_margin);
         integrateOccupancy(space, map);
         integrateGeometry(frames[n], associated.instances[n], associated.missed[n],
-                          config.integration.unknown_weight, map);
-        integrateSemantics(associated.opinions[n], associated.instances[n], i,
-                           config.integration.sharpness, map);
+                          config.integration, map);
+        integrateSemantics(frames[n], associated.opinions[n], associated.instances[n], i,
+                           config.integration, map);
     }
     state.SetLabel("budget 1.5 ms");
 }

@@ -62,7 +62,7 @@ struct Arguments : apps::CommandLine
     apps::Text timing{*this, "--timing", "FILE.csv", "Write each frame's CPU time per stage [ms]"};
     apps::Text resume{
         *this, "--resume", "MAP.voxeland",
-        "Go on with this map instead of an empty one; frames it has are left out with --from"};
+        "Go on with this map instead of an empty one; frames it was made from are left out"};
     apps::SetArgument set{*this, "configuration"};
     apps::Number<uint32_t> every{*this, "--every", "N", "Use one frame in so many (default: 1)", 1};
     apps::Number<uint32_t> to{*this, "--to", "N",
@@ -113,16 +113,6 @@ void printSummary(const CVoxelandMap& map, const TimingLog& timing)
     timing.printSummary(std::cout);
 }
 
-/** Warns of a frame that the resumed map was made from. \param before what was mapped then */
-void warnOfRepetition(Arguments& arguments, const MappingCounts& before)
-{
-    const uint32_t met = before.frames + before.framesWithoutPose;
-    arguments.warn("frames of this rawlog are in '" + arguments.resume.value() +
-                   "' already and now count twice; it was made from " + counted(met, "frame") +
-                   ": if they are the first of this rawlog, go on with --from " +
-                   std::to_string(met));
-}
-
 /** Warns of what was left out, or came to nothing. */
 void warnOf(Arguments& arguments, const MappedInput& met)
 {
@@ -131,6 +121,9 @@ void warnOf(Arguments& arguments, const MappedInput& met)
     constexpr double MUCH = 0.4;
     constexpr uint64_t ENOUGH = 500;
     if (met.leftOut.count() > 0) arguments.warn(met.leftOut.told("frame"));
+    if (met.repeated > 0)
+        arguments.warn("left out " + counted(met.repeated, "frame") +
+                       ", of a time and place that the map has a frame of already");
     const auto measured = static_cast<double>(met.depths.pixels);
     if (static_cast<double>(met.depths.used) < FEW * measured)
         arguments.warn("only " +
@@ -161,8 +154,6 @@ struct Run
  *  \throws apps::Interrupted if that is nothing */
 Run mapFrames(Arguments& arguments, CVoxelandMap& map, const apps::Interruption& interruption)
 {
-    const MappingCounts before = map.counts();
-    auto timesBefore = timesOfViews(map.map());
     RawlogFrameSource source(
         arguments.input.value(), map.withCamera(map.mapper().config().input),
         {arguments.from.value(), arguments.to.value(), arguments.every.value()},
@@ -170,11 +161,7 @@ Run mapFrames(Arguments& arguments, CVoxelandMap& map, const apps::Interruption&
     source.stopWhen([&] { return interruption.wasRequested(); });
     apps::Progress progress("frames", 0, !arguments.quiet());
     Run run;
-    const auto onFrame = [&](const mrpt::Clock::time_point& taken, const StageTimes& times) {
-        if (timesBefore.count(taken) > 0) {
-            warnOfRepetition(arguments, before);
-            timesBefore.clear();  // once will do
-        }
+    const auto onFrame = [&](const StageTimes& times) {
         run.timing.add(times);
         ++run.frames;
         progress.update(run.frames, static_cast<double>(run.frames) / source.expectedFrames());

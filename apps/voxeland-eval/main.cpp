@@ -40,6 +40,10 @@ struct Arguments : apps::CommandLine
 {
     Arguments() : CommandLine(DESCRIPTION) {}
 
+    apps::Text reliabilityPng{*this, "--reliability-png", "FILE",
+                              "Write a picture of the share that is right against probability"};
+    apps::Text reliability{*this, "--reliability", "FILE",
+                           "Write the share that is right against probability as CSV"};
     apps::Text curvePng{*this, "--curve-png", "FILE",
                         "Write a picture of precision against entropy"};
     apps::Text curve{*this, "--curve", "FILE", "Write precision against entropy threshold as CSV"};
@@ -84,7 +88,10 @@ void checkArguments(Arguments& arguments)
     std::vector<std::string> inputs = arguments.maps.values();
     inputs.push_back(arguments.labels.value());
     apps::checkOutputs(
-        {{arguments.report.value(), arguments.curve.value(), arguments.curvePng.value()}, {}, {}},
+        {{arguments.report.value(), arguments.curve.value(), arguments.curvePng.value(),
+          arguments.reliability.value(), arguments.reliabilityPng.value()},
+         {},
+         {}},
         {inputs, {}, arguments.truths.values()});
 }
 
@@ -141,6 +148,8 @@ int run(int argc, char** argv)
     write(arguments.report.value(), result.json());
     const UncertaintyMetrics uncertainty = result.pooled().uncertainty;
     write(arguments.curve.value(), precisionCurveCsv(uncertainty.curve));
+    write(arguments.reliability.value(), reliabilityCsv(uncertainty));
+    write(arguments.reliabilityPng.value(), reliabilityPng(uncertainty));
     write(arguments.curvePng.value(), precisionCurvePng(uncertainty.curve, uncertainty.threshold));
     return 0;
 }

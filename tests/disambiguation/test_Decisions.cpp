@@ -33,29 +33,50 @@ SemanticVoxelMap randomMap(unsigned seed)
 }
 }  // namespace
 
-TEST(Decisions, WeighAsMuchAsTheOptionsSay)
+TEST(Decisions, AreEvidenceByBayesRuleOfAWitness)
 {
-    SemanticVoxelMap map;  // prior 2, spread over 3 categories
+    MapOptions mapOptions;
+    mapOptions.prior_strength = 2;  // spread over 3 categories
+    SemanticVoxelMap map(mapOptions);
     test::addInstance(map, 6, 3, 1);
     DisambiguationOptions options;
-    options.decision_weight = 2;
+    options.answer_reliability = 0.75;
+    options.max_categories = 3;
     decide(map, 1, decisionFor(2), options);
-    EXPECT_DOUBLE_EQ(map.instance(1).decisions.at(0).evidence, 2 * (10 + 2));
+    // bed has (1 + 2/3)/12 = 5/36: 3/4 of it and 1/16 are 1/6, three to one and five times 1/12.
+    const double after = (3.0 / 4 / 6) / (3.0 / 4 / 6 + 1.0 / 4 / 3 * 5 / 6);
     const auto ranked = categoryDistribution(map, map.instance(1));
     EXPECT_EQ(ranked.front().name, "bed");
-    EXPECT_NEAR(ranked.front().probability, (1 + 2.0 / 3 + 24) / 36, 1e-12);
+    EXPECT_NEAR(ranked.front().probability, after, 1e-12);
 }
 
-TEST(Decisions, WinWhateverTheOthersHave)
+TEST(Decisions, WinWhereTheMapIsUnsure)
 {
-    for (unsigned seed = 0; seed < 10; ++seed)
-        for (const category_id_t category : {0U, 1U, 2U, UNKNOWN_CATEGORY_ID}) {
-            auto map = randomMap(seed);
-            for (const auto& [id, instance] : map.instances())
-                decide(map, id, decisionFor(category), {});
-            for (const auto& [id, instance] : map.instances())
-                EXPECT_EQ(categoryDistribution(map, instance).front().category, category);
-        }
+    for (const category_id_t category : {0U, 1U, 2U, UNKNOWN_CATEGORY_ID}) {
+        SemanticVoxelMap map;
+        const instance_id_t id = test::addInstance(map, 5, 4, 3);
+        decide(map, id, decisionFor(category), {});
+        EXPECT_EQ(categoryDistribution(map, map.instance(id)).front().category, category);
+    }
+}
+
+TEST(Decisions, OfOneWitnessDoNotOverturnWhatTheMapIsSureOf)
+{
+    for (const double scale : {1.0, 10.0, 100.0}) {
+        MapOptions mapOptions;
+        mapOptions.prior_strength = 0;
+        SemanticVoxelMap map(mapOptions);
+        const instance_id_t id = test::addInstance(map, 0.86 * scale, 0.14 * scale, 0);
+        const auto winner = [&] { return categoryDistribution(map, map.instance(id)).front(); };
+        decide(map, id, decisionFor(UNKNOWN_CATEGORY_ID), {});
+        EXPECT_EQ(winner().name, "chair") << scale;
+        EXPECT_LT(winner().probability, 0.7);
+        decide(map, id, decisionFor(UNKNOWN_CATEGORY_ID), {});
+        EXPECT_EQ(winner().category, UNKNOWN_CATEGORY_ID) << "two witnesses agree";
+        const double twice = winner().probability;
+        decide(map, id, decisionFor(UNKNOWN_CATEGORY_ID), {});
+        EXPECT_GT(winner().probability, twice);
+    }
 }
 
 TEST(Decisions, AreTakenBackToTheByte)

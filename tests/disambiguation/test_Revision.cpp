@@ -28,8 +28,10 @@ TEST(Revision, AnotherAnswerReplacesWhatTheSameBackEndSaidSince)
     decide(map, id, by("person", COUCH, "couch"), {});
     const Revision revision(map, "person");
     decide(map, id, by("model", COUCH, "couch"), {});
+    SemanticVoxelMap withoutChair = map;
+    decide(withoutChair, id, by("person", COUCH, "a couch"), {});
+    const double expected = withoutChair.instance(id).decisions[2].evidence;
     decide(map, id, by("person", CHAIR, "chair"), {});
-    const double first = map.instance(id).decisions[2].evidence;
 
     revision.decide(map, id, by("person", CHAIR, "chair"), {});
     ASSERT_EQ(map.instance(id).decisions.size(), 3U) << "nothing new";
@@ -39,7 +41,7 @@ TEST(Revision, AnotherAnswerReplacesWhatTheSameBackEndSaidSince)
     EXPECT_EQ(decisions[0].answer, "couch") << "said before";
     EXPECT_EQ(decisions[1].source, "model");
     EXPECT_EQ(decisions[2].answer, "a couch");
-    EXPECT_DOUBLE_EQ(decisions[2].evidence, first) << "what it replaces is no evidence";
+    EXPECT_DOUBLE_EQ(decisions[2].evidence, expected) << "what it replaces is no evidence";
 }
 
 TEST(Revision, WhatIsWithdrawnIsOnlyWhatTheBackEndSaidSince)

@@ -123,6 +123,21 @@ TEST(PrecisionCurve, csvAndPicture)
     }
 }
 
+TEST(Reliability, csvAndPicture)
+{
+    UncertaintyMetrics uncertainty;
+    uncertainty.confidence.diagram = {{4, 0.25, 0.5}, {4, 0.75, 1}};
+    uncertainty.pointConfidence.diagram = {{100, 0.5, 0.5}};
+    EXPECT_EQ(reliabilityCsv(uncertainty),
+              "of,decisions,probability,correct\ninstances,4,0.25,0.5\ninstances,4,0.75,1\n"
+              "points,100,0.5,0.5\n");
+    for (const auto& u : {uncertainty, UncertaintyMetrics()}) {
+        const std::string png = reliabilityPng(u);
+        const std::vector<unsigned char> bytes(png.begin(), png.end());
+        EXPECT_GE(cv::imdecode(bytes, cv::IMREAD_COLOR).cols, 800);
+    }
+}
+
 TEST(EvaluationProtocol, namesGoBothWays)
 {
     for (const char* name : {"ignore", "fp"}) EXPECT_EQ(toString(voidPolicyFromString(name)), name);

@@ -107,6 +107,53 @@ TEST(ExpectedCalibrationError, worksOutAsByHand)
     EXPECT_TRUE(std::isnan(expectedCalibrationError({})));
 }
 
+TEST(CalibrationError, ofEqualMassHasAsManyDecisionsInEachBin)
+{
+    // Two bins of two: {0.1 wrong, 0.2 right} lack 0.7, {0.8 right, 0.9 wrong} have 0.7 too much.
+    const std::vector<ConfidentDecision> d = {{0.9, false}, {0.2, true}, {0.8, true}, {0.1, false}};
+    EXPECT_NEAR(equalMassCalibrationError(d, 2), (0.7 + 0.7) / 4, 1e-12);
+    EXPECT_NEAR(equalMassCalibrationError(d, 1), 0, 1e-12);
+    EXPECT_NEAR(equalMassCalibrationError(d, 10), (0.1 + 0.8 + 0.2 + 0.9) / 4, 1e-12);
+    EXPECT_TRUE(std::isnan(equalMassCalibrationError({})));
+}
+
+TEST(CalibrationError, byChanceIsThatOfDrawsFromTheProbabilities)
+{
+    // One bin of n decisions of p: the mean of |B / n - p|, B binomial. For n = 1 that is 2 p (1 -
+    // p).
+    EXPECT_NEAR(calibrationErrorByChance({{0.5, true}}, 1), 0.5, 1e-12);
+    EXPECT_NEAR(calibrationErrorByChance({{0.9, false}}, 1), 0.18, 0.06);
+    const std::vector<ConfidentDecision> many(2500, {0.5, false});
+    EXPECT_NEAR(calibrationErrorByChance(many, 1), std::sqrt(2 / M_PI) * 0.5 / 50, 0.0012);
+    EXPECT_TRUE(std::isnan(calibrationErrorByChance({})));
+}
+
+TEST(Reliability, binsAreOfEquallyManyInOrder)
+{
+    const auto diagram = reliability({{0.9, false}, {0.2, true}, {0.8, true}, {0.1, false}}, 2);
+    ASSERT_EQ(diagram.size(), 2U);
+    EXPECT_EQ(diagram[0].decisions, 2U);
+    EXPECT_NEAR(diagram[0].probability, 0.15, 1e-12);
+    EXPECT_EQ(diagram[0].correct, 0.5);
+    EXPECT_NEAR(diagram[1].probability, 0.85, 1e-12);
+    EXPECT_TRUE(reliability({}).empty());
+}
+
+TEST(BrierScore, isTheMeanSquareOfWhatWasMissing)
+{
+    EXPECT_NEAR(brierScore({{0.9, true}, {0.5, false}, {0.2, false}}), (0.01 + 0.25 + 0.04) / 3,
+                1e-12);
+    EXPECT_TRUE(std::isnan(brierScore({})));
+}
+
+TEST(NegativeLogLikelihood, isTheMeanSurpriseAndFinite)
+{
+    EXPECT_NEAR(negativeLogLikelihood({{0.5, true}, {0.75, false}}),
+                (std::log(2) + std::log(4)) / 2, 1e-12);
+    EXPECT_NEAR(negativeLogLikelihood({{1, false}}), std::log(1e6), 1e-6);
+    EXPECT_TRUE(std::isnan(negativeLogLikelihood({})));
+}
+
 TEST(PrecisionCurve, countsInstancesBelowEachThreshold)
 {
     const auto curve = precisionCurve({{0.0, false}, {0.25, true}, {0.6, false}}, 0.25);

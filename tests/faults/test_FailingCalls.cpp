@@ -121,7 +121,7 @@ class FailingCalls : public testing::Test
         CVoxelandMap map{MapperConfig(ini)};
         RawlogFrameSource source(m_rawlog, map.mapper().config().input, {});
         mapRawlog(
-            source, map, [](const auto&, const StageTimes&) {}, strict);
+            source, map, [](const StageTimes&) {}, strict);
         saveMap(map, file);
     }
 

@@ -21,6 +21,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
         file.compressing(data, size);
         CVoxelandMap map(config);
         RawlogFrameSource source(rawlog, config.input, {});
-        mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+        mapRawlog(source, map, [](const StageTimes&) {});
     });
 }

@@ -43,7 +43,7 @@ void writeMap(const std::string& rawlog, const std::string& file)
     const MapperConfig config(Ini::fromText("[map]\nresolution = 0.2\n", "seed"));
     CVoxelandMap map(config);
     RawlogFrameSource source(rawlog, config.input, {});
-    mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+    mapRawlog(source, map, [](const StageTimes&) {});
     saveMap(map, file);
 }
 

@@ -48,14 +48,17 @@ inline void changeAtRandom(SemanticVoxelMap& map, std::mt19937& random)
                         unknown ? UNKNOWN_INSTANCE : anyInstance(map, random), weight);
     } else if (what < 91) {
         Instance& i = map.createInstance();
-        i.categories.add(map.categories().add("category" + std::to_string(kind(random) % 7)), 0.5);
+        CategoryEvidence opinion;
+        opinion.add(map.categories().add("category" + std::to_string(kind(random) % 7)), 0.5);
+        i.categories.add(opinion, static_cast<side_t>(kind(random) % 3));
+        i.categories.add(opinion.entries().front().category, 0.25);
         i.observations = 1;
         InstanceView view;
         view.frame = static_cast<uint32_t>(kind(random));
         view.area = view.frame + 1;
         view.score = view.probability = 0.5F;
         view.target.x = static_cast<float>(place(random));
-        i.views.add(i.categories.entries().front().category, view, map.options().views_kept);
+        i.views.add(i.categories.sum().entries().front().category, view, map.options().views_kept);
         Decision decision;
         decision.evidence = 0.75;
         decision.answer = "none of them";

@@ -189,7 +189,7 @@ TEST(MapQueries, DecisionsAreOpinionsToo)
     EXPECT_DOUBLE_EQ(ranked[0].probability, 5.0 / 8);
     const double expected = harmonic(8) - (3 * harmonic(3) + 5 * harmonic(5)) / 8;
     EXPECT_NEAR(categoryEntropy(map, map.instance(1)), expected, 1e-10);
-    EXPECT_DOUBLE_EQ(map.instance(1).categories.total(), 4) << "what detectors said stays";
+    EXPECT_DOUBLE_EQ(map.instance(1).categories.sum().total(), 4) << "what detectors said stays";
 }
 
 TEST(MapQueries, ADecisionForUnknownIsAShareOfUnknown)

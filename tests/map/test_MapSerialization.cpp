@@ -91,7 +91,7 @@ TEST(MapSerialization, ReadsBackWhatWasWritten)
         EXPECT_EQ(read.instance(id).observations, instance.observations);
         EXPECT_EQ(read.instance(id).tracks, instance.tracks);
         EXPECT_EQ(read.instance(id).blocks, instance.blocks);
-        EXPECT_EQ(read.instance(id).categories.total(), instance.categories.total());
+        EXPECT_EQ(read.instance(id).categories.sum().total(), instance.categories.sum().total());
         EXPECT_EQ(read.instance(id).evidence().total(), instance.evidence().total());
         EXPECT_EQ(read.instance(id).views.byCategory().size(), instance.views.byCategory().size());
         EXPECT_EQ(read.instance(id).history.size(), instance.history.size());
@@ -138,7 +138,10 @@ TEST(MapSerialization, ImpossibleContentIsRefused)
     SemanticVoxelMap map;
     map.categories().add("chair");
     Instance& chair = map.createInstance();
-    chair.categories.add(0, BETA);
+    CategoryEvidence sum, ofNoSide;
+    sum.add(0, BETA);
+    ofNoSide.add(0, 2 * BETA);  // so that the number is written once
+    chair.categories = CategoryOpinions::restored(sum, ofNoSide, {});
     map.addEvidence({1, 2, 3}, chair.id, ALPHA);
     const std::string bytes = bytesOf(map), corrupt = "corrupt map: ";
 
@@ -155,6 +158,39 @@ TEST(MapSerialization, ImpossibleContentIsRefused)
                   .find("instance"),
               std::string::npos);
     EXPECT_EQ(refusal(bytes, bytesOf(ALPHA), bytesOf(2 * ALPHA)), "accepted");
+}
+
+TEST(MapSerialization, OpinionsOfMapsBeforeTheFourthVersionCountFully)
+{
+    constexpr double BETA = 12.3456789;
+    SemanticVoxelMap map;
+    map.categories().add("chair");
+    map.createInstance().categories.add(0, BETA);
+    std::string bytes = bytesOf(map);
+    const std::string opinions = bytesOf(uint32_t{1}) + bytesOf(category_id_t{0}) + bytesOf(BETA);
+    const std::string now = opinions + opinions + bytesOf(uint32_t{0});
+    ASSERT_NE(bytes.find(now), std::string::npos);
+    bytes.replace(bytes.find(now), now.size(), opinions);
+    const std::string calibration = bytesOf(1.0) + bytesOf(uint32_t{0});
+    bytes.erase(bytes.find(calibration), calibration.size());
+    bytes[0] = 3;
+    const SemanticVoxelMap read = mapFrom(bytes);
+    EXPECT_EQ(read.instance(1).evidence().betaOf(0), BETA);
+    EXPECT_EQ(bytesOf(read), bytesOf(map));
+}
+
+TEST(MapSerialization, OpinionsOfImpossibleSidesAreRefused)
+{
+    constexpr double BETA = 12.3456789;
+    SemanticVoxelMap map;
+    CategoryEvidence opinion;
+    opinion.add(map.categories().add("chair"), BETA);
+    map.createInstance().categories.add(opinion, side_t{0x123});
+    const std::string bytes = bytesOf(map), side = bytesOf(side_t{0x123}) + bytesOf(1.0);
+    EXPECT_EQ(refusal(bytes, side, bytesOf(SIDES) + bytesOf(1.0)).find("corrupt map: "), 0U);
+    EXPECT_EQ(refusal(bytes, side, bytesOf(side_t{0x123}) + bytesOf(-1.0)).find("corrupt map: "),
+              0U);
+    EXPECT_EQ(refusal(bytes, side, bytesOf(side_t{0x124}) + bytesOf(2.0)), "accepted");
 }
 
 TEST(MapSerialization, ImpossibleMergesAreRefused)

@@ -100,8 +100,8 @@ TEST(SemanticVoxelMap, MergingSplittingAndDroppingConserveEvidence)
     expectConsistent(map);
 
     // 2 had 2 + 5; a quarter went to `half`, which absorbed 1.
-    EXPECT_DOUBLE_EQ(map.instance(2).categories.total(), 0.75 * 7);
-    EXPECT_DOUBLE_EQ(map.instance(half).categories.total(), 0.25 * 7 + 1);
+    EXPECT_DOUBLE_EQ(map.instance(2).categories.sum().total(), 0.75 * 7);
+    EXPECT_DOUBLE_EQ(map.instance(half).categories.sum().total(), 0.25 * 7 + 1);
 }
 
 TEST(SemanticVoxelMap, MergeKeepsTheHistoryOfBoth)

@@ -87,7 +87,7 @@ class AnyFrames
     void decideOften(SemanticVoxelMap& map)
     {
         DisambiguationOptions options;
-        options.decision_weight = 1e6;
+        options.answer_reliability = 0.999;
         for (const auto& [id, instance] : map.instances())
             for (int n = oneOf({0, 1, 60}); n > 0; --n) decide(map, id, {}, options);
     }
@@ -134,7 +134,7 @@ void mapThrough(const std::string& rawlog, CVoxelandMap& map,
     test::writeRawlog(rawlog, frames);
     try {
         RawlogFrameSource source(rawlog, map.mapper().config().input, {});
-        mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+        mapRawlog(source, map, [](const StageTimes&) {});
     } catch (const InputError&) {
     } catch (const NothingToMapError&) {
     }

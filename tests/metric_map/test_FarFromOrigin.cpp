@@ -99,7 +99,7 @@ TEST(FarFromOrigin, rawlogsAreMappedAsObservationsAre)
     CVoxelandMap map{MapperConfig()};
     RawlogFrameSource source(folder.file("far.rawlog"), map.withCamera(map.mapper().config().input),
                              {});
-    mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+    mapRawlog(source, map, [](const StageTimes&) {});
     expectSame(voxelsFrom(map.map(), UTM), voxelsFrom(mapAt({}).map(), {}));
 }
 
@@ -118,7 +118,7 @@ TEST(FarFromOrigin, framesTheMapCannotHoldAreLeftOutAndCounted)
     CVoxelandMap map{MapperConfig()};
     RawlogFrameSource source(folder.file("leaves.rawlog"),
                              map.withCamera(map.mapper().config().input), {});
-    const MappedInput met = mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+    const MappedInput met = mapRawlog(source, map, [](const StageTimes&) {});
     EXPECT_EQ(met.leftOut.count(), 3U);
     EXPECT_NE(met.leftOut.first().find("farther off than the map can hold"), std::string::npos);
     EXPECT_EQ(map.counts().frames, 8U);

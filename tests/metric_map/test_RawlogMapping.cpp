@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Frames of a rawlog that cannot be mapped. */
+#include "support/MapBytes.h"
 #include "support/SmallRawlog.h"
 #include "support/TestFiles.h"
 #include "voxeland/base/errors.h"
@@ -20,7 +21,7 @@ class RawlogMapping : public ::testing::Test
         test::writeRawlog(rawlog, m_frames);
         RawlogFrameSource source(rawlog, m_map.mapper().config().input, {});
         return mapRawlog(
-            source, m_map, [](const auto&, const StageTimes&) {}, strict);
+            source, m_map, [](const StageTimes&) {}, strict);
     }
 
     test::TemporaryFolder m_folder;
@@ -64,4 +65,12 @@ TEST_F(RawlogMapping, AWrongUnitIsNoticedByTheDepths)
             EXPECT_NE(text.find("rangeUnits"), std::string::npos) << text;
         }
     }
+}
+
+TEST_F(RawlogMapping, FramesThatTheMapHoldsChangeNothing)
+{
+    mapped();
+    const std::string once = test::bytesOf(m_map.map());
+    EXPECT_EQ(mapped().repeated, m_frames.size());
+    EXPECT_EQ(test::bytesOf(m_map.map()), once);
 }

@@ -18,7 +18,7 @@ std::optional<uint32_t> mapPart(const std::string& rawlog, const FrameRange& ran
 {
     RawlogFrameSource source(rawlog, map.mapper().config().input, range);
     source.stopWhen([&mostMet] { return --mostMet < 0; });
-    mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+    mapRawlog(source, map, [](const StageTimes&) {});
     return source.stoppedBefore();
 }
 }  // namespace

@@ -26,7 +26,7 @@ SemanticVoxelMap mapOf(const std::vector<test::SmallFrame>& frames, bool poseUnc
         std::string("[map]\npose_uncertainty = ") + (poseUncertainty ? "true" : "false"), "test"));
     RawlogFrameSource source(folder.file("in.rawlog"), config.input, {});
     CVoxelandMap map(config);
-    mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+    mapRawlog(source, map, [](const StageTimes&) {});
     return map.map();
 }
 

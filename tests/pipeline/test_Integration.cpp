@@ -42,6 +42,16 @@ uint32_t hitWith(const PreparedFrame& frame, uint32_t points)
     return 0;
 }
 
+/** The paper's rule: each point and each opinion counts. */
+IntegrationOptions plainly(double unknownWeight, double sharpness = 1)
+{
+    IntegrationOptions options;
+    options.evidence = EvidenceRule::sum;
+    options.unknown_weight = unknownWeight;
+    options.sharpness = sharpness;
+    return options;
+}
+
 Opinion opinion(uint32_t hit, float points, float confidence)
 {
     return {{{hit, points}}, {{"chair", 1}}, confidence, InstancePrediction::NO_TRACK};
@@ -110,7 +120,7 @@ TEST(IntegrateGeometry, CountsLessWhereThePoseIsUncertain)
 {
     auto [map, id, frame, hit, points] = allButOnePointClaimed();
     frame.uncertainty = shaking(0.02);
-    integrateGeometry(frame, {id}, {}, 0.2, map);
+    integrateGeometry(frame, {id}, {}, plainly(0.2), map);
     const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
     const auto trust = static_cast<float>(probabilityOfStaying(0.02, RESOLUTION));
     EXPECT_FLOAT_EQ(evidence.alphaOf(id), trust * (points - 1));
@@ -121,7 +131,7 @@ TEST(IntegrateGeometry, PointsNobodyClaimsAreWeighedForUnknown)
 {
     SemanticVoxelMap map;
     const auto frame = wallFrame();
-    integrateGeometry(frame, {}, {}, 0.25, map);
+    integrateGeometry(frame, {}, {}, plainly(0.25), map);
     for (const HitVoxel& h : frame.voxels.hits()) {
         const VoxelEvidence* evidence = map.evidence(h.coord);
         ASSERT_NE(evidence, nullptr);
@@ -141,7 +151,7 @@ TEST(IntegrateGeometry, WhatTheDetectorMissedIsNoEvidenceForUnknown)
     map.addEvidence(lost, missed, 2);
     map.addEvidence(lost, UNKNOWN_INSTANCE, 3);
     map.addEvidence(others, seen, 2);
-    integrateGeometry(frame, {}, {missed}, 0.2, map);
+    integrateGeometry(frame, {}, {missed}, plainly(0.2), map);
     const auto unknownAt = [&](const VoxelCoord& v) {
         return map.evidence(v)->alphaOf(UNKNOWN_INSTANCE);
     };
@@ -154,7 +164,7 @@ TEST(IntegrateGeometry, WhatTheDetectorMissedIsNoEvidenceForUnknown)
 TEST(IntegrateGeometry, ClaimedPointsGoToTheInstanceAndTheRestToUnknown)
 {
     auto [map, id, frame, hit, points] = allButOnePointClaimed();
-    integrateGeometry(frame, {id}, {}, 0.2, map);
+    integrateGeometry(frame, {id}, {}, plainly(0.2), map);
     const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
     EXPECT_FLOAT_EQ(evidence.alphaOf(id), points - 1) << "confidence does not weigh a sole claim";
     EXPECT_FLOAT_EQ(evidence.alphaOf(UNKNOWN_INSTANCE), 0.2F);
@@ -180,7 +190,7 @@ struct SharedHit
     /** alpha of each opinion's instance, that of *unknown* last. */
     std::vector<float> shared()
     {
-        integrateGeometry(frame, ids, {}, 0.5, map);
+        integrateGeometry(frame, ids, {}, plainly(0.5), map);
         const VoxelEvidence& evidence = *map.evidence(frame.voxels.hits()[hit].coord);
         std::vector<float> alpha;
         for (const instance_id_t id : ids) alpha.push_back(evidence.alphaOf(id));
@@ -249,7 +259,7 @@ TEST(IntegrateGeometry, TwoOpinionsAboutOneInstanceCountTheirPointsOnce)
     const uint32_t hit = hitWith(frame, 4);
     const auto points = static_cast<float>(frame.voxels.hits()[hit].points);
     frame.opinions = {opinion(hit, points, 0.9F), opinion(hit, points, 0.3F)};
-    integrateGeometry(frame, {id, id}, {}, 0.2, map);
+    integrateGeometry(frame, {id, id}, {}, plainly(0.2), map);
     EXPECT_FLOAT_EQ(map.evidence(frame.voxels.hits()[hit].coord)->alphaOf(id), points);
 }
 
@@ -264,15 +274,58 @@ TEST(IntegrateSemantics, BetaGrowsByConfidenceTimesProbability)
     overlaps.opinion = &o;
     overlaps.categories.add(chair, 0.75);
     overlaps.categories.add(sofa, 0.25);
-    integrateSemantics({overlaps}, {id}, 4, 1, map);
-    integrateSemantics({overlaps, overlaps}, {id, id}, 7, 1, map);
+    const auto frame = wallFrame();
+    integrateSemantics(frame, {overlaps}, {id}, 4, plainly(0), map);
+    integrateSemantics(frame, {overlaps, overlaps}, {id, id}, 7, plainly(0), map);
     const Instance& instance = map.instance(id);
-    EXPECT_DOUBLE_EQ(instance.categories.betaOf(chair), 3 * 0.375);
-    EXPECT_DOUBLE_EQ(instance.categories.betaOf(sofa), 3 * 0.125);
+    EXPECT_DOUBLE_EQ(instance.evidence().betaOf(chair), 3 * 0.375);
+    EXPECT_DOUBLE_EQ(instance.evidence().betaOf(sofa), 3 * 0.125);
     EXPECT_EQ(instance.observations, 3u);
     EXPECT_EQ(instance.firstFrame, 4u);
     EXPECT_EQ(instance.lastFrame, 7u);
     EXPECT_EQ(instance.tracks, (std::set<int64_t>{9}));
+}
+
+TEST(IntegrateGeometry, PointsOfAFrameInOneVoxelRepeatEachOther)
+{
+    SemanticVoxelMap map;
+    const auto frame = wallFrame();
+    IntegrationOptions options;
+    options.unknown_weight = 0.25;
+    integrateGeometry(frame, {}, {}, options, map);
+    for (const HitVoxel& h : frame.voxels.hits()) {
+        const auto n = static_cast<float>(h.points);
+        EXPECT_FLOAT_EQ(map.evidence(h.coord)->alphaOf(UNKNOWN_INSTANCE), 0.25F * 2 * n / (n + 1));
+    }
+
+    auto claimed = allButOnePointClaimed();
+    integrateGeometry(claimed.frame, {claimed.id}, {}, options, claimed.map);
+    const VoxelEvidence& evidence =
+        *claimed.map.evidence(claimed.frame.voxels.hits()[claimed.hit].coord);
+    const float each = 2 / (claimed.points + 1);
+    EXPECT_FLOAT_EQ(evidence.alphaOf(claimed.id), each * (claimed.points - 1));
+    EXPECT_FLOAT_EQ(evidence.alphaOf(UNKNOWN_INSTANCE), 0.25F * each);
+}
+
+TEST(IntegrateSemantics, AnOpinionCountsByWhatItAddsToThoseAboutTheSameSide)
+{
+    SemanticVoxelMap map;
+    const instance_id_t id = map.createInstance().id;
+    const category_id_t chair = map.categories().add("chair"), sofa = map.categories().add("sofa");
+    auto frame = wallFrame();
+    const auto say = [&](category_id_t category, float confidence, const PreparedFrame& seenFrom) {
+        const Opinion o = opinion(hitWith(frame, 4), 4, confidence);
+        OpinionOverlaps overlaps;
+        overlaps.opinion = &o;
+        overlaps.categories.add(category, 1);
+        integrateSemantics(seenFrom, {overlaps}, {id}, 0, IntegrationOptions(), map);
+    };
+    for (int i = 0; i < 3; ++i) say(chair, 0.5F, frame);
+    say(sofa, 0.75F, frame);
+    // Four of one side, any two correlated by one half: 1 / (1 + 3 / 2) of their sum.
+    EXPECT_NEAR(map.instance(id).evidence().betaOf(chair), 0.4 * 3 * 0.5, 1e-12);
+    EXPECT_NEAR(map.instance(id).evidence().betaOf(sofa), 0.4 * 0.75, 1e-12);
+    EXPECT_NEAR(map.instance(id).categories.sum().betaOf(chair), 3 * 0.5, 1e-12);
 }
 
 TEST(IntegrateSemantics, WhatIsSeenAgainIsActiveAgain)
@@ -284,7 +337,7 @@ TEST(IntegrateSemantics, WhatIsSeenAgainIsActiveAgain)
     const Opinion o = opinion(0, 1, 0.5F);
     OpinionOverlaps overlaps;
     overlaps.opinion = &o;
-    integrateSemantics({overlaps}, {id}, 0, 1, map);
+    integrateSemantics(wallFrame(), {overlaps}, {id}, 0, plainly(0), map);
     EXPECT_EQ(map.inactive(), std::set<instance_id_t>{other});
 }
 
@@ -299,7 +352,7 @@ TEST(IntegrateSemantics, APartOfASplitKeepsItsFirstFrameUntilItIsSeenAlone)
     const Opinion o = opinion(0, 1, 0.5F);
     OpinionOverlaps overlaps;
     overlaps.opinion = &o;
-    integrateSemantics({overlaps}, {part}, 12, 1, map);
+    integrateSemantics(wallFrame(), {overlaps}, {part}, 12, plainly(0), map);
     EXPECT_EQ(map.instance(part).firstFrame, 3U);
     EXPECT_EQ(map.instance(part).lastFrame, 12U);
 }
@@ -314,9 +367,10 @@ TEST(IntegrateSemantics, SharpnessFavoursTheMostProbableCategory)
     overlaps.opinion = &o;
     overlaps.categories.add(chair, 0.75);
     overlaps.categories.add(sofa, 0.25);
-    integrateSemantics({overlaps}, {id}, 0, 2, map);  // 9/16 : 1/16 -> 0.9 : 0.1
-    EXPECT_NEAR(map.instance(id).categories.betaOf(chair), 0.5 * 0.9, 1e-12);
-    EXPECT_NEAR(map.instance(id).categories.betaOf(sofa), 0.5 * 0.1, 1e-12);
+    // 9/16 : 1/16 -> 0.9 : 0.1
+    integrateSemantics(wallFrame(), {overlaps}, {id}, 0, plainly(0, 2), map);
+    EXPECT_NEAR(map.instance(id).evidence().betaOf(chair), 0.5 * 0.9, 1e-12);
+    EXPECT_NEAR(map.instance(id).evidence().betaOf(sofa), 0.5 * 0.1, 1e-12);
 }
 
 TEST(ResolveAssignments, NewInstancesOfOneNumberAreOne)

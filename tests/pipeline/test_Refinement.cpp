@@ -98,8 +98,8 @@ TEST(RefinementDivides, TwoCubesBecomeTwoInstancesWithTheirShareOfEvidence)
     EXPECT_DOUBLE_EQ(evidenceOf(map, divided.id), 192);
     const category_id_t chair = map.categories().add("chair");
     for (const auto& [category, beta] : {std::pair(chair, 6.0), std::pair(sofa, 2.0)}) {
-        EXPECT_NEAR(divided.categories.betaOf(category), beta * 192 / 317, 1e-12);
-        EXPECT_NEAR(kept.categories.betaOf(category), beta * 125 / 317, 1e-12);
+        EXPECT_NEAR(divided.categories.sum().betaOf(category), beta * 192 / 317, 1e-12);
+        EXPECT_NEAR(kept.categories.sum().betaOf(category), beta * 125 / 317, 1e-12);
     }
 }
 
@@ -112,7 +112,8 @@ TEST(RefinementDivides, EachPartTakesItsShareOfWhatIsLeft)
     addBox(map, old, {0, 12, 0}, {3, 3, 3}, 2);  // evidence 54
     EXPECT_EQ(refined(map, handMadeRefinement()).splits, 2U);
     std::vector<double> beta;
-    for (const auto& [id, instance] : map.instances()) beta.push_back(instance.categories.total());
+    for (const auto& [id, instance] : map.instances())
+        beta.push_back(instance.categories.sum().total());
     ASSERT_EQ(beta.size(), 3U);
     EXPECT_NEAR(beta[0], 125, 1e-9);
     EXPECT_NEAR(beta[1], 192, 1e-9);
@@ -142,7 +143,8 @@ TEST(RefinementDivides, OnlySizeableParts)
         addBox(map, id, {0, 12, 0}, {2, 2, 2});
         const MappingCounts counts = refined(map, options);
         double beta = 0;
-        for (const auto& [number, instance] : map.instances()) beta += instance.categories.total();
+        for (const auto& [number, instance] : map.instances())
+            beta += instance.categories.sum().total();
         EXPECT_NEAR(beta, 9, 1e-12);
         EXPECT_EQ(map.instances().size(), counts.splits + 1);
         return counts.splits;
@@ -175,7 +177,7 @@ TEST(RefinementMerges, WhatIsNearlyTheSamePlaceWhateverTheCategory)
     EXPECT_EQ(refined(map, options).merges, 1U);
     EXPECT_EQ(map.resolve(b), a) << "of equals the older one stays";
     EXPECT_EQ(map.instance(a).voxels, 176U);
-    EXPECT_DOUBLE_EQ(map.instance(a).categories.total(), 3);
+    EXPECT_DOUBLE_EQ(map.instance(a).categories.sum().total(), 3);
 }
 
 TEST(RefinementMerges, PartsOfOneCategoryByOverlapOverSmaller)
@@ -192,7 +194,7 @@ TEST(RefinementMerges, PartsOfOneCategoryByOverlapOverSmaller)
     EXPECT_EQ(map.resolve(2), 1U) << "the larger one stays";
     EXPECT_EQ(map.instance(1).voxels, 176U);
     EXPECT_DOUBLE_EQ(evidenceOf(map, 1), 224);
-    EXPECT_DOUBLE_EQ(map.instance(1).categories.total(), 3);
+    EXPECT_DOUBLE_EQ(map.instance(1).categories.sum().total(), 3);
 }
 
 TEST(RefinementMerges, NotWhatHasAnotherCategory)

@@ -60,7 +60,7 @@ class AssociationOfSimulation : public testing::Test
         const MapperConfig config(ini);
         CVoxelandMap map(config);
         RawlogFrameSource source(m_folder.file("sim.rawlog"), config.input, FrameRange());
-        mapRawlog(source, map, [](const auto&, const StageTimes&) {});
+        mapRawlog(source, map, [](const StageTimes&) {});
         return map.map();
     }
 
@@ -77,7 +77,7 @@ TEST_F(AssociationOfSimulation, OneInstanceACategory)
         [&](const InstancePrediction& p) { ++expected[p.categories.front().name]; });
     const auto map = mapWith("CCategoryAssociation");
     for (const auto& [id, instance] : map.instances()) {
-        const std::string& name = map.categories().name(instance.categories.top().value());
+        const std::string& name = map.categories().name(instance.categories.sum().top().value());
         EXPECT_EQ(found.count(name), 0U) << "two instances of " << name;
         found[name] = instance.observations;
     }

@@ -26,6 +26,8 @@ struct Example
     {
         backend = createPlugin<CDisambiguator>(className);
         options.add("class", className, backend->description());
+        if (!ini.value(SECTION, "answer_reliability").empty())
+            options.add("answer_reliability", reliability, {0.5, 0.999}, "no key of a back-end");
         backend->declareOptions(options);
         std::vector<std::string> problems;
         options.load(ini, SECTION, problems);
@@ -34,6 +36,7 @@ struct Example
 
     Ini ini;
     std::string className;
+    double reliability = 0;
     OptionList options;
     std::shared_ptr<CDisambiguator> backend;
 };

@@ -17,7 +17,7 @@ using namespace voxeland;
 TEST(PluginAbi, IsCountedUpWhenALayoutChanges)
 {
 #if defined(__x86_64__) && _GLIBCXX_USE_CXX11_ABI && !defined(_GLIBCXX_DEBUG)
-    EXPECT_STREQ(AS_TEXT(VOXELAND_PLUGIN_ABI), "abi_4");
+    EXPECT_STREQ(AS_TEXT(VOXELAND_PLUGIN_ABI), "abi_5");
     EXPECT_EQ(sizeof(OptionList), 56U);
     EXPECT_EQ(sizeof(Opinion), 88U);
     EXPECT_EQ(sizeof(VoxelizedFrame), 184U);
@@ -26,10 +26,10 @@ TEST(PluginAbi, IsCountedUpWhenALayoutChanges)
     EXPECT_EQ(sizeof(InstanceOverlap), 32U);
     EXPECT_EQ(sizeof(MergeThresholds), 32U);
     EXPECT_EQ(sizeof(Assignment), 8U);
-    EXPECT_EQ(sizeof(Instance), 240U);
+    EXPECT_EQ(sizeof(Instance), 288U);
     EXPECT_EQ(sizeof(VoxelEvidence), 40U);
     EXPECT_EQ(sizeof(MapOptions), 64U);
-    EXPECT_EQ(sizeof(SemanticVoxelMap), 536U);
+    EXPECT_EQ(sizeof(SemanticVoxelMap), 592U);
     EXPECT_EQ(sizeof(DisambiguationPicture), 96U);
     EXPECT_EQ(sizeof(DisambiguationQuestion), 88U);
     EXPECT_EQ(sizeof(DisambiguationAnswer), 88U);

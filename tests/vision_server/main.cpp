@@ -8,6 +8,7 @@
  * can) or the name of a misbehaviour in behaviours(). */
 #include "Connection.h"
 #include "Sight.h"
+#include "simulation/CategoryPaint.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,6 +28,7 @@
 
 using nlohmann::json;
 using namespace voxeland::test;
+namespace simulation = voxeland::simulation;
 
 namespace
 {
@@ -88,6 +90,17 @@ std::string honestAnswer(const Question& question)
     return "The object category is " + (offered ? seen : "unknown") + ".";
 }
 
+/** Another of the answers that the question offers, whichever it is. */
+std::string wrongAnswer(const Question& question)
+{
+    const std::string right = honestAnswer(question);
+    for (const std::string& category : simulation::paintedCategories()) {
+        std::string answer = "The object category is " + category + ".";
+        if (answer != right && mentions(question.words, category)) return answer;
+    }
+    return "The object category is unknown.";
+}
+
 json completion(const json& content)
 {
     return {{"id", "1"},
@@ -138,6 +151,17 @@ void answerHonestly(Connection& client, const Request& request)
     client.answer(200, completion(honestAnswer(question)).dump());
 }
 
+/** Answers wrongly to so many of a hundred questions, to the same ones each time. */
+Behaviour err(unsigned percent)
+{
+    return [percent](Connection& client, const Request& request) {
+        const Question question = questionOf(json::parse(request.body));
+        const bool errs = std::hash<std::string>()(request.body) % 100 < percent;
+        client.answer(200,
+                      completion(errs ? wrongAnswer(question) : honestAnswer(question)).dump());
+    };
+}
+
 /** Answers with these words, whatever is asked. */
 Behaviour say(const json& content)
 {
@@ -183,6 +207,8 @@ const std::map<std::string, Behaviour>& behaviours()
     static const std::string BUSY = errorObject("too many requests").dump();
     static const std::map<std::string, Behaviour> table = {
         {"", answerHonestly},
+        {"/errs-10", err(10)},
+        {"/errs-30", err(30)},
         {"/wrong-category", say("The object category is giraffe.")},
         {"/several-categories", say("The object category is chair, couch or dining table.")},
         {"/parts", say({{{"type", "text"}, {"text", "The object category is chair."}}})},

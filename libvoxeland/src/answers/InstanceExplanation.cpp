@@ -28,7 +28,7 @@ double decidedFor(const Instance& instance, category_id_t category)
 std::vector<RankedCategory> spokenFor(const SemanticVoxelMap& map, const Instance& instance)
 {
     auto ranked = categoryDistribution(map, instance);
-    const CategoryEvidence evidence = instance.evidence();
+    const CategoryEvidence evidence = map.categoryEvidence(instance);
     ranked.erase(
         std::remove_if(ranked.begin(), ranked.end(),
                        [&](const RankedCategory& c) { return !(evidence.betaOf(c.category) > 0); }),
@@ -40,8 +40,9 @@ std::string categoriesAsText(const SemanticVoxelMap& map, const Instance& instan
 {
     std::string text = "categories      p      detectors  decisions\n";
     for (const RankedCategory& c : spokenFor(map, instance)) {
-        text += format("  %-12s  %.3f  %9.3f  %9.3f\n", printable(c.name).c_str(), c.probability,
-                       instance.categories.betaOf(c.category), decidedFor(instance, c.category));
+        text +=
+            format("  %-12s  %.3f  %9.3f  %9.3f\n", printable(c.name).c_str(), c.probability,
+                   instance.categories.sum().betaOf(c.category), decidedFor(instance, c.category));
         for (const InstanceView& v : instance.views.of(c.category))
             text += format("      frame %-6u p %.2f, score %.2f, %dx%d pixels at %d,%d, %.1f m%s\n",
                            v.frame, static_cast<double>(v.probability),
@@ -137,7 +138,7 @@ std::string explanationAsJson(const SemanticVoxelMap& map, instance_id_t id)
                    {"last_frame", i.lastFrame}};
     json["evidence"] = json_t::object();
     for (const RankedCategory& c : spokenFor(map, i))
-        json["evidence"][c.name] = {{"detectors", i.categories.betaOf(c.category)},
+        json["evidence"][c.name] = {{"detectors", i.categories.sum().betaOf(c.category)},
                                     {"decisions", decidedFor(i, c.category)},
                                     {"probability", c.probability}};
     json["views"] = json_t::object();

@@ -7,9 +7,14 @@
 
 namespace voxeland
 {
-/** Adds a decision to its instance. Its evidence is set: as a multiple (`decision_weight`) of all
- * evidence the instance has, prior included, so that with more than 1 the category wins whatever
- * the others have. */
+/** Adds a decision to its instance. Its evidence is set, so that the probability of its category
+ * becomes what Bayes' rule makes of the map's and of a witness who is right in the share
+ * `answer_reliability` r of cases, and otherwise says any of the `max_categories` n other answers:
+ *
+ *      p r / (p r + (1 - p) (1 - r) / n)
+ *
+ * with p = r p_map + (1 - r) / (n + 1), as the map may be as wrong as the witness. So one answer
+ * decides where the map is unsure, not where it is sure, and two that agree count more than one. */
 void decide(SemanticVoxelMap& map, instance_id_t instance, Decision decision,
             const DisambiguationOptions& options);
 

@@ -21,7 +21,7 @@ std::vector<RankedCategory> candidatesOf(const InstanceSummary& summary, const I
 {
     std::vector<RankedCategory> candidates;
     for (const RankedCategory& c : summary.categories)
-        if (candidates.size() < most && instance.categories.betaOf(c.category) > 0)
+        if (candidates.size() < most && instance.categories.sum().betaOf(c.category) > 0)
             candidates.push_back(c);
     return candidates;
 }

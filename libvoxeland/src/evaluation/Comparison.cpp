@@ -20,7 +20,7 @@ constexpr uint32_t NONE = std::numeric_limits<uint32_t>::max();
 struct PointRecord
 {
     uint32_t object = NONE, instance = NONE;  //!< positions in the scene
-    float entropy = 0;
+    float entropy = 0, probability = 0;
 };
 
 double scoreOf(const SemanticVoxelMap& map, const InstanceSummary& s, ScoreKind kind)
@@ -100,7 +100,8 @@ void addPointDecisions(const std::vector<PointRecord>& records, VoidPolicy polic
     for (const PointRecord& r : records) {
         if (r.instance == NONE || (r.object == NONE && policy == VoidPolicy::ignore)) continue;
         const bool right = r.object != NONE && largest[r.instance].object == r.object;
-        scene.pointDecisions.push_back({static_cast<double>(r.entropy), !right});
+        scene.pointDecisions.push_back(
+            {static_cast<double>(r.entropy), !right, static_cast<double>(r.probability)});
     }
 }
 }  // namespace
@@ -124,6 +125,7 @@ EvaluatedScene compare(const SemanticVoxelMap& map, const GroundTruth& truth,
         if (winner == UNKNOWN_INSTANCE) continue;
         r.instance = instances.at(winner);
         r.entropy = static_cast<float>(instanceEntropy(map, *evidence));
+        r.probability = static_cast<float>(winnerProbability(map, *evidence));
     }
     addOverlaps(records, scene);
     addPointDecisions(records, protocol.voidPolicy, scene);

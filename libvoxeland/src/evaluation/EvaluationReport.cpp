@@ -51,8 +51,11 @@ void writeUncertainty(std::ostream& out, const UncertaintyMetrics& u)
 {
     out << "  category entropy:   AUROC " << decimal(u.auroc) << " against a wrong category ("
         << u.wrong << " of " << counted(u.judged, "matched instance") << " wrong)\n"
-        << "  category probability: expected calibration error " << decimal(u.calibrationError)
-        << " (10 bins)\n"
+        << "  category probability: calibration error " << decimal(u.confidence.calibrationError)
+        << " (10 bins), " << decimal(u.confidence.equalMassError) << " (of equal mass; "
+        << decimal(u.confidence.errorByChance) << " by chance), Brier score "
+        << decimal(u.confidence.brier) << ", negative log-likelihood "
+        << decimal(u.confidence.logLikelihoodLoss) << " nat\n"
         << "  suggested threshold: ";
     if (u.threshold)
         out << decimal(u.threshold->value) << " nat (Youden's J " << decimal(u.threshold->youden)
@@ -60,7 +63,10 @@ void writeUncertainty(std::ostream& out, const UncertaintyMetrics& u)
     else
         out << "none, entropy does not tell right from wrong here\n";
     out << "  instance entropy:   AUROC " << decimal(u.pointAuroc) << " against a wrong instance ("
-        << u.wrongPoints << " of " << counted(u.judgedPoints, "point") << " wrong)\n";
+        << u.wrongPoints << " of " << counted(u.judgedPoints, "point") << " wrong)\n"
+        << "  instance probability: calibration error "
+        << decimal(u.pointConfidence.calibrationError) << " (10 bins), Brier score "
+        << decimal(u.pointConfidence.brier) << "\n";
 }
 
 void writeMetrics(std::ostream& out, const Metrics& m)
@@ -145,6 +151,19 @@ std::string EvaluationReport::text() const
         writeClass(out, mean);
     }
     writeClass(out, sceneMean());
+    return out.str();
+}
+
+std::string reliabilityCsv(const UncertaintyMetrics& uncertainty)
+{
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out << "of,decisions,probability,correct\n";
+    for (const auto& [of, confidence] :
+         {std::pair<const char*, const Confidence*>{"instances", &uncertainty.confidence},
+          {"points", &uncertainty.pointConfidence}})
+        for (const ReliabilityBin& b : confidence->diagram)
+            out << of << "," << b.decisions << "," << b.probability << "," << b.correct << "\n";
     return out.str();
 }
 

@@ -44,6 +44,13 @@ class EvaluationReport
     std::vector<Metrics> m_metrics;  //!< of each scene
 };
 
+/** The reliability diagrams of instances and of points as CSV: of,decisions,probability,correct. */
+std::string reliabilityCsv(const UncertaintyMetrics& uncertainty);
+
+/** They as a PNG picture: the share that is right against the probability, which are equal on the
+ * diagonal. \return the file's bytes */
+std::string reliabilityPng(const UncertaintyMetrics& uncertainty);
+
 /** The curve as CSV: threshold_nat,precision,instances,correct. */
 std::string precisionCurveCsv(const std::vector<PrecisionAtThreshold>& curve);
 

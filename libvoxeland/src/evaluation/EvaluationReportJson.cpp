@@ -32,6 +32,20 @@ json toJson(const SegmentationCounts& s)
             {"under_segmented_instances", s.underSegmented}};
 }
 
+json toJson(const Confidence& c)
+{
+    json diagram = json::array();
+    for (const ReliabilityBin& b : c.diagram)
+        diagram.push_back(
+            {{"decisions", b.decisions}, {"probability", b.probability}, {"correct", b.correct}});
+    return {{"expected_calibration_error", c.calibrationError},
+            {"equal_mass_calibration_error", c.equalMassError},
+            {"equal_mass_calibration_error_by_chance", c.errorByChance},
+            {"brier_score", c.brier},
+            {"negative_log_likelihood", c.logLikelihoodLoss},
+            {"reliability", diagram}};
+}
+
 json toJson(const UncertaintyMetrics& u)
 {
     json curve = json::array();
@@ -43,11 +57,13 @@ json toJson(const UncertaintyMetrics& u)
     json result = {{"judged_instances", u.judged},
                    {"wrong_instances", u.wrong},
                    {"category_entropy_auroc", u.auroc},
-                   {"expected_calibration_error", u.calibrationError},
+                   {"expected_calibration_error", u.confidence.calibrationError},
+                   {"category_probability", toJson(u.confidence)},
                    {"suggested_entropy_threshold", nullptr},
                    {"judged_points", u.judgedPoints},
                    {"wrong_points", u.wrongPoints},
                    {"instance_entropy_auroc", u.pointAuroc},
+                   {"instance_probability", toJson(u.pointConfidence)},
                    {"precision_curve", curve}};
     if (u.threshold)
         result["suggested_entropy_threshold"] = {{"value", u.threshold->value},

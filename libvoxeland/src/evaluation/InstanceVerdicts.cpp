@@ -8,16 +8,11 @@ namespace
 void judgeCategories(const EvaluatedScene& scene, size_t minPoints,
                      std::vector<InstanceVerdict>& verdicts)
 {
-    std::vector<const SharedPoints*> largest(scene.instances.size(), nullptr);
-    for (const SharedPoints& o : scene.overlaps) {
-        const SharedPoints*& best = largest[o.instance];
-        if (best == nullptr || o.points > best->points) best = &o;
-    }
-    for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const auto objects = objectsOfInstances(scene, minPoints);
+    for (size_t i = 0; i < objects.size(); ++i) {
+        if (!objects[i]) continue;
         const PredictedInstance& instance = scene.instances[i];
-        if (largest[i] == nullptr || instance.points < minPoints) continue;
-        if (iou(scene, *largest[i]) <= 0.25 && 2 * largest[i]->points <= instance.points) continue;
-        const class_id_t truth = scene.objects[largest[i]->object].cls;
+        const class_id_t truth = scene.objects[*objects[i]].cls;
         if (truth == NO_CLASS && instance.cls == NO_CLASS) continue;
         verdicts.push_back({instance.entropy, instance.probability, truth == instance.cls});
     }
@@ -44,6 +39,23 @@ void judgeDetections(const EvaluatedScene& scene, const EvaluationProtocol& prot
     }
 }
 }  // namespace
+
+std::vector<std::optional<size_t>> objectsOfInstances(const EvaluatedScene& scene, size_t minPoints)
+{
+    std::vector<const SharedPoints*> largest(scene.instances.size(), nullptr);
+    for (const SharedPoints& o : scene.overlaps) {
+        const SharedPoints*& best = largest[o.instance];
+        if (best == nullptr || o.points > best->points) best = &o;
+    }
+    std::vector<std::optional<size_t>> objects(scene.instances.size());
+    for (size_t i = 0; i < scene.instances.size(); ++i) {
+        const size_t points = scene.instances[i].points;
+        if (largest[i] == nullptr || points < minPoints) continue;
+        if (iou(scene, *largest[i]) > 0.25 || 2 * largest[i]->points > points)
+            objects[i] = largest[i]->object;
+    }
+    return objects;
+}
 
 std::vector<InstanceVerdict> categoryVerdicts(const std::vector<EvaluatedScene>& scenes,
                                               const EvaluationProtocol& protocol)

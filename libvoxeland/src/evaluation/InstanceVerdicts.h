@@ -2,6 +2,7 @@
 #pragma once
 #include "voxeland/evaluation/EvaluatedScene.h"
 
+#include <optional>
 #include <vector>
 
 namespace voxeland
@@ -14,9 +15,14 @@ struct InstanceVerdict
     bool correct = false;
 };
 
-/** Are the categories right? Each instance of at least `minPoints` points is compared to the object
- *  it shares most points with, whatever the categories, provided that their IoU is above 0.25 or
- *  more than half of the instance lies on the object. Correct: the same evaluation class. Pairs
+/** The object that each instance stands for, by position in the scene: the one it shares most
+ * points with, whatever the categories, provided that it has at least `minPoints` points and that
+ * their IoU is above 0.25 or more than half of the instance lies on the object. */
+std::vector<std::optional<size_t>> objectsOfInstances(const EvaluatedScene& scene,
+                                                      size_t minPoints);
+
+/** Are the categories right? Each instance is compared to its object, see objectsOfInstances().
+ *  Correct: the same evaluation class. Pairs
  *  where neither side has an evaluation class cannot be judged and are left out. */
 std::vector<InstanceVerdict> categoryVerdicts(const std::vector<EvaluatedScene>& scenes,
                                               const EvaluationProtocol& protocol);

@@ -37,12 +37,25 @@ ClassMetrics evaluateClass(const std::vector<EvaluatedScene>& scenes, class_id_t
     return m;
 }
 
+/** All but what chance would give. */
+Confidence confidenceIn(const std::vector<ConfidentDecision>& decisions)
+{
+    Confidence c;
+    c.calibrationError = expectedCalibrationError(decisions);
+    c.equalMassError = equalMassCalibrationError(decisions);
+    c.errorByChance = NOT_A_NUMBER;
+    c.brier = brierScore(decisions);
+    c.logLikelihoodLoss = negativeLogLikelihood(decisions);
+    c.diagram = reliability(decisions);
+    return c;
+}
+
 UncertaintyMetrics evaluateUncertainty(const std::vector<EvaluatedScene>& scenes,
                                        const EvaluationProtocol& protocol)
 {
     UncertaintyMetrics m;
     std::vector<UncertainDecision> categories, detections, points;
-    std::vector<ConfidentDecision> confidences;
+    std::vector<ConfidentDecision> confidences, pointConfidences;
     for (const InstanceVerdict& v : categoryVerdicts(scenes, protocol)) {
         ++m.judged;
         if (!v.correct) ++m.wrong;
@@ -56,9 +69,12 @@ UncertaintyMetrics evaluateUncertainty(const std::vector<EvaluatedScene>& scenes
     for (const UncertainDecision& p : points) {
         ++m.judgedPoints;
         if (p.wrong) ++m.wrongPoints;
+        pointConfidences.push_back({p.probability, !p.wrong});
     }
     m.auroc = areaUnderRoc(categories);
-    m.calibrationError = expectedCalibrationError(confidences);
+    m.confidence = confidenceIn(confidences);
+    m.confidence.errorByChance = calibrationErrorByChance(confidences);
+    m.pointConfidence = confidenceIn(pointConfidences);
     m.threshold = suggestedThreshold(categories);
     m.pointAuroc = areaUnderRoc(std::move(points));
     m.curve = precisionCurve(detections);

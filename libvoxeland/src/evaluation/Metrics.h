@@ -21,15 +21,25 @@ struct ClassMetrics
     double pq = 0, sq = 0, rq = 0;  //!< panoptic quality, see PanopticQuality
 };
 
+/** How far probabilities are right: expectedCalibrationError() and those beside it. */
+struct Confidence
+{
+    double calibrationError = 0, equalMassError = 0;
+    double errorByChance = 0;  //!< calibrationErrorByChance(); NaN for points, which are many
+    double brier = 0, logLikelihoodLoss = 0;
+    std::vector<ReliabilityBin> diagram;
+};
+
 /** How well uncertainty tells right from wrong. */
 struct UncertaintyMetrics
 {
     size_t judged = 0, wrong = 0;  //!< instances, by categoryVerdicts()
     double auroc = 0;              //!< of their category entropy against a wrong category
-    double calibrationError = 0;   //!< of their category's probability, 10 bins
+    Confidence confidence;         //!< of their category's probability
     std::optional<UncertaintyThreshold> threshold;  //!< suggested for category entropy [nat]
     size_t judgedPoints = 0, wrongPoints = 0;       //!< EvaluatedScene::pointDecisions
-    double pointAuroc = 0;  //!< of their instance entropy against a wrong instance
+    double pointAuroc = 0;       //!< of their instance entropy against a wrong instance
+    Confidence pointConfidence;  //!< of their instance's probability
     std::vector<PrecisionAtThreshold> curve;  //!< the paper's, by detectionVerdicts()
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <utility>
 
 namespace voxeland
 {
@@ -83,6 +85,70 @@ double expectedCalibrationError(const std::vector<ConfidentDecision>& decisions,
     }
     double sum = 0;
     for (const double s : surplus) sum += std::abs(s);
+    return sum / static_cast<double>(decisions.size());
+}
+
+std::vector<ReliabilityBin> reliability(std::vector<ConfidentDecision> decisions, int bins)
+{
+    std::stable_sort(decisions.begin(), decisions.end(),
+                     [](const auto& a, const auto& b) { return a.probability < b.probability; });
+    const size_t n = decisions.size(), parts = std::min(static_cast<size_t>(bins), n);
+    std::vector<ReliabilityBin> diagram(parts);
+    for (size_t part = 0; part < parts; ++part) {
+        ReliabilityBin& bin = diagram[part];
+        for (size_t i = part * n / parts; i < (part + 1) * n / parts; ++i) {
+            ++bin.decisions;
+            bin.probability += decisions[i].probability;
+            bin.correct += decisions[i].correct ? 1 : 0;
+        }
+        bin.probability /= static_cast<double>(bin.decisions);
+        bin.correct /= static_cast<double>(bin.decisions);
+    }
+    return diagram;
+}
+
+double equalMassCalibrationError(std::vector<ConfidentDecision> decisions, int bins)
+{
+    if (decisions.empty()) return NOT_A_NUMBER;
+    const auto n = static_cast<double>(decisions.size());
+    double error = 0;
+    for (const ReliabilityBin& bin : reliability(std::move(decisions), bins))
+        error += static_cast<double>(bin.decisions) / n * std::abs(bin.correct - bin.probability);
+    return error;
+}
+
+double calibrationErrorByChance(std::vector<ConfidentDecision> decisions, int bins)
+{
+    constexpr int DRAWS = 200;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    double sum = 0;
+    for (int draw = 0; draw < DRAWS; ++draw) {
+        for (ConfidentDecision& d : decisions) d.correct = uniform(random) < d.probability;
+        sum += equalMassCalibrationError(decisions, bins);
+    }
+    return sum / DRAWS;
+}
+
+double brierScore(const std::vector<ConfidentDecision>& decisions)
+{
+    if (decisions.empty()) return NOT_A_NUMBER;
+    double sum = 0;
+    for (const ConfidentDecision& d : decisions) {
+        const double error = d.probability - (d.correct ? 1 : 0);
+        sum += error * error;
+    }
+    return sum / static_cast<double>(decisions.size());
+}
+
+double negativeLogLikelihood(const std::vector<ConfidentDecision>& decisions)
+{
+    if (decisions.empty()) return NOT_A_NUMBER;
+    constexpr double LEAST = 1e-6;
+    double sum = 0;
+    for (const ConfidentDecision& d : decisions)
+        sum -=
+            std::log(std::clamp(d.correct ? d.probability : 1 - d.probability, LEAST, 1 - LEAST));
     return sum / static_cast<double>(decisions.size());
 }
 

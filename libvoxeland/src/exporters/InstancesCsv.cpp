@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstancesCsv.h"
 
+#include "files/Csv.h"
 #include "voxeland/base/numbers.h"
 #include "voxeland/files/AtomicFile.h"
 #include "voxeland/level/OrientedBox.h"
@@ -14,14 +15,6 @@ constexpr const char* HEADER =
     "id,category,probability,entropy,vacuity,geometric_entropy,observations,voxels,"
     "centroid_x,centroid_y,centroid_z,min_x,min_y,min_z,max_x,max_y,max_z,"
     "box_x,box_y,box_z,box_length,box_width,box_height,box_yaw";
-
-std::string quoted(const std::string& text)
-{
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
-}
 }  // namespace
 
 void exportCsv(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
@@ -32,9 +25,9 @@ void exportCsv(const SemanticVoxelMap& map, const GravityAlignedFrame& frame,
         out << HEADER << "\n";
         for (const InstanceSummary& s : summarizeInstances(map)) {
             const OrientedBox& box = boxes.at(s.id);
-            out << s.id << "," << quoted(s.category()) << "," << s.probability() << "," << s.entropy
-                << "," << s.vacuity << "," << s.geometricEntropy << "," << s.observations << ","
-                << s.voxels;
+            out << s.id << "," << csvField(s.category()) << "," << s.probability() << ","
+                << s.entropy << "," << s.vacuity << "," << s.geometricEntropy << ","
+                << s.observations << "," << s.voxels;
             for (const auto* p : {&s.centroid, &s.boxMin, &s.boxMax, &box.center, &box.size})
                 for (const double x : {p->x, p->y, p->z}) out << "," << metresText(x);
             out << "," << box.yaw << "\n";

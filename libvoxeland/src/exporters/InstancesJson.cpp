@@ -15,7 +15,7 @@ namespace
 /** Evidence by category name, the strongest first. */
 json_t evidenceAsJson(const SemanticVoxelMap& map, const Instance& instance)
 {
-    auto entries = instance.evidence().entries();
+    auto entries = map.categoryEvidence(instance).entries();
     std::stable_sort(entries.begin(), entries.end(),
                      [](const auto& a, const auto& b) { return a.beta > b.beta; });
     json_t::object_t object;  // names are unique: they need not be looked for

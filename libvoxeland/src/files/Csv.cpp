@@ -175,4 +175,12 @@ std::vector<CsvRow> parseCsv(const std::string& text, const std::vector<std::str
                      std::to_string(header.size()) + ".");
     return rows;
 }
+
+std::string csvField(const std::string& text)
+{
+    if (text.find_first_of(",;\t\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
 }  // namespace voxeland

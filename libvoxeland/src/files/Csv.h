@@ -26,4 +26,7 @@ std::vector<CsvRow> parseCsv(const std::string& text, const std::string& source)
  *  \throws InputError as above, and for another header or a row with another number of fields */
 std::vector<CsvRow> parseCsv(const std::string& text, const std::vector<std::string>& header,
                              const std::string& source);
+
+/** A text as a field of a table, in quotes where it needs them. */
+std::string csvField(const std::string& text);
 }  // namespace voxeland

@@ -15,6 +15,12 @@ category_id_t CategoryTable::add(const std::string& name)
     return at->second;
 }
 
+std::optional<category_id_t> CategoryTable::find(const std::string& name) const
+{
+    const auto at = m_ids.find(name);
+    return at == m_ids.end() ? std::nullopt : std::optional(at->second);
+}
+
 const std::string& CategoryTable::name(category_id_t id) const
 {
     static const std::string unknown = UNKNOWN_CATEGORY;

@@ -6,6 +6,7 @@
 #include <mrpt/serialization/stl_serialization.h>
 
 #include <cstdlib>
+#include <utility>
 
 using mrpt::serialization::CArchive;
 
@@ -67,6 +68,52 @@ void checkCategory(category_id_t category, const CategoryTable& categories)
         throw std::runtime_error("corrupt map: evidence for a category it lacks");
 }
 
+void write(CArchive& out, const CategoryEvidence& evidence)
+{
+    out << static_cast<uint32_t>(evidence.entries().size());
+    for (const auto& e : evidence.entries()) out << e.category << e.beta;
+}
+
+CategoryEvidence readCategoryEvidence(CArchive& in, const CategoryTable& categories)
+{
+    CategoryEvidence evidence;
+    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
+        const auto category = in.ReadAs<category_id_t>();
+        checkCategory(category, categories);
+        evidence.add(category, readEvidence<double>(in));
+    }
+    return evidence;
+}
+
+void write(CArchive& out, const CategoryOpinions& o)
+{
+    write(out, o.sum());
+    write(out, o.ofNoSide());
+    out << static_cast<uint32_t>(o.bySide().size());
+    for (const auto& s : o.bySide()) {
+        out << s.side << s.opinions;
+        write(out, s.sum);
+    }
+}
+
+/** \param version of the map: before the fourth, opinions had no side */
+CategoryOpinions readOpinions(CArchive& in, const CategoryTable& categories, uint8_t version)
+{
+    CategoryEvidence sum = readCategoryEvidence(in, categories);
+    CategoryEvidence ofNoSide = version < 4 ? sum : readCategoryEvidence(in, categories);
+    std::vector<CategoryOpinions::OfSide> bySide;
+    for (auto n = version < 4 ? 0 : in.ReadAs<uint32_t>(); n > 0; --n) {
+        CategoryOpinions::OfSide& s = bySide.emplace_back();
+        in >> s.side >> s.opinions;
+        s.sum = readCategoryEvidence(in, categories);
+    }
+    try {
+        return CategoryOpinions::restored(std::move(sum), std::move(ofNoSide), std::move(bySide));
+    } catch (const std::invalid_argument& e) {
+        throw std::runtime_error(std::string("corrupt map: ") + e.what());
+    }
+}
+
 template <typename Items>
 void writeAll(CArchive& out, const Items& items)
 {
@@ -110,8 +157,7 @@ VoxelCoord readBlockCoord(CArchive& in)
 void write(CArchive& out, const Instance& i)
 {
     out << i.id << i.observations << i.firstFrame << i.lastFrame << i.tracks;
-    out << static_cast<uint32_t>(i.categories.entries().size());
-    for (const auto& e : i.categories.entries()) out << e.category << e.beta;
+    write(out, i.categories);
     writeAll(out, i.blocks);
     out << static_cast<uint32_t>(i.views.byCategory().size());
     for (const auto& [category, views] : i.views.byCategory()) {
@@ -122,15 +168,12 @@ void write(CArchive& out, const Instance& i)
     writeAll(out, i.decisions);
 }
 
-Instance readInstance(CArchive& in, const CategoryTable& categories, uint32_t viewsKept)
+Instance readInstance(CArchive& in, const CategoryTable& categories, uint32_t viewsKept,
+                      uint8_t version)
 {
     Instance i;
     in >> i.id >> i.observations >> i.firstFrame >> i.lastFrame >> i.tracks;
-    for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
-        const auto category = in.ReadAs<category_id_t>();
-        checkCategory(category, categories);
-        i.categories.add(category, readEvidence<double>(in));
-    }
+    i.categories = readOpinions(in, categories, version);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) i.blocks.insert(readBlockCoord(in));
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
         const auto category = in.ReadAs<category_id_t>();

@@ -31,7 +31,8 @@ Decision readDecision(mrpt::serialization::CArchive& in, const CategoryTable& ca
 
 /** All of an instance but its number of voxels, which follows from those. */
 void write(mrpt::serialization::CArchive& out, const Instance& i);
-/** \param categories those of the map */
+/** \param categories those of the map \param version of what was written, see MapSerialization.cpp
+ */
 Instance readInstance(mrpt::serialization::CArchive& in, const CategoryTable& categories,
-                      uint32_t viewsKept);
+                      uint32_t viewsKept, uint8_t version);
 }  // namespace voxeland

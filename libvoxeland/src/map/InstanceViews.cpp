@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxeland/map/InstanceViews.h"
 
+#include "voxeland/map/ViewingSide.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -22,21 +24,14 @@ bool isBetter(const InstanceView& a, const InstanceView& b)
     return key(a) < key(b);
 }
 
-/** Number of the sector a view's direction lies in. */
-int sectorOf(const InstanceView& view)
-{
-    const auto direction = view.direction();
-    const auto step = [](float x) { return static_cast<int>(std::lround(2 * x)) + 2; };
-    return (step(direction.x) * 5 + step(direction.y)) * 5 + step(direction.z);
-}
-
 /** Sorts views by their rank within their sector, then by quality, and keeps the first ones. */
 void keepBest(Views& views, size_t most)
 {
     std::sort(views.begin(), views.end(), isBetter);
     std::map<int, size_t> met;
     std::vector<std::pair<size_t, size_t>> order;  // rank within the sector, place by quality
-    for (size_t i = 0; i < views.size(); ++i) order.emplace_back(met[sectorOf(views[i])]++, i);
+    for (size_t i = 0; i < views.size(); ++i)
+        order.emplace_back(met[sectorOf(views[i].direction())]++, i);
     std::sort(order.begin(), order.end());
     Views kept;
     for (size_t i = 0; i < std::min(most, order.size()); ++i)
@@ -47,9 +42,7 @@ void keepBest(Views& views, size_t most)
 
 mrpt::math::TPoint3Df InstanceView::direction() const
 {
-    const auto ray = target - camera;
-    const float length = ray.norm();
-    return length > 0 ? ray * (1 / length) : mrpt::math::TPoint3Df(0, 0, 1);
+    return viewingDirection(camera, target);
 }
 
 float InstanceView::quality() const

@@ -15,7 +15,7 @@ std::vector<double> concentration(const SemanticVoxelMap& map, const Instance& i
     const double prior = known == 0 ? 0 : map.options().prior_strength / static_cast<double>(known);
     std::vector<double> beta(known, prior);
     beta.push_back(0);
-    const CategoryEvidence evidence = instance.evidence();
+    const CategoryEvidence evidence = map.categoryEvidence(instance);
     for (const auto& e : evidence.entries()) beta[std::min<size_t>(e.category, known)] += e.beta;
     return beta;
 }
@@ -65,7 +65,7 @@ double categoryEntropy(const SemanticVoxelMap& map, const Instance& instance)
 double categoryVacuity(const SemanticVoxelMap& map, const Instance& instance)
 {
     const double prior = map.options().prior_strength;
-    return prior > 0 ? vacuity(prior, instance.evidence().total()) : 0;
+    return prior > 0 ? vacuity(prior, map.categoryEvidence(instance).total()) : 0;
 }
 
 double winnerProbability(const SemanticVoxelMap& map, const VoxelEvidence& evidence)

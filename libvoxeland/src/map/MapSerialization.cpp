@@ -16,7 +16,7 @@ namespace voxeland
 {
 namespace
 {
-constexpr uint8_t VERSION = 3;
+constexpr uint8_t VERSION = 4;
 
 void write(CArchive& out, const MapOptions& o)
 {
@@ -43,6 +43,33 @@ mrpt::math::TPoint3D readOrigin(CArchive& in)
     in >> origin.x >> origin.y >> origin.z;
     if (!std::isfinite(origin.sqrNorm())) throw std::runtime_error("corrupt map: no origin");
     return origin;
+}
+
+void write(CArchive& out, const Calibration& c)
+{
+    out << c.agreement() << static_cast<uint32_t>(c.meanings().size());
+    for (const auto& [word, meaning] : c.meanings()) {
+        out << word << static_cast<uint32_t>(meaning.size());
+        for (const auto& [category, probability] : meaning) out << category << probability;
+    }
+}
+
+Calibration readCalibration(CArchive& in)
+{
+    const auto agreement = in.ReadAs<double>();
+    std::map<std::string, Calibration::Meaning> meanings;
+    for (auto words = in.ReadAs<uint32_t>(); words > 0; --words) {
+        Calibration::Meaning& meaning = meanings[readText(in)];
+        for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
+            const std::string category = readText(in);
+            meaning[category] = in.ReadAs<double>();
+        }
+    }
+    try {
+        return Calibration(std::move(meanings), agreement);
+    } catch (const std::invalid_argument& e) {
+        throw std::runtime_error(std::string("corrupt map: ") + e.what());
+    }
 }
 
 // One call for a block's occupancies: sets of maps are copied by writing and reading them.
@@ -100,6 +127,7 @@ void SemanticVoxelMap::writeTo(CArchive& out) const
     out << VERSION;
     write(out, m_options);
     out << m_origin.x << m_origin.y << m_origin.z;
+    write(out, m_calibration);
     out << m_categories.names() << m_nextInstance << m_absorbed << inactive();
     out << static_cast<uint32_t>(m_instances.size());
     for (const auto& [id, instance] : m_instances) write(out, instance);
@@ -115,12 +143,13 @@ void SemanticVoxelMap::readFrom(CArchive& in)
                                  " is not known: it was written by another Voxeland");
     SemanticVoxelMap read(readOptions(in, version));
     if (version > 2) read.m_origin = readOrigin(in);
+    if (version > 3) read.m_calibration = readCalibration(in);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) read.m_categories.add(readText(in));
     std::set<instance_id_t> inactive;
     in >> read.m_nextInstance >> read.m_absorbed >> inactive;
     checkMerges(read.m_absorbed, read.m_nextInstance);
     for (auto n = in.ReadAs<uint32_t>(); n > 0; --n) {
-        Instance i = readInstance(in, read.m_categories, read.m_options.views_kept);
+        Instance i = readInstance(in, read.m_categories, read.m_options.views_kept, version);
         const instance_id_t id = i.id;
         if (id == UNKNOWN_INSTANCE || id >= read.m_nextInstance || read.m_absorbed.count(id) > 0 ||
             !read.m_instances.emplace(id, std::move(i)).second)

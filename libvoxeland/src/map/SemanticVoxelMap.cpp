@@ -83,7 +83,9 @@ void SemanticVoxelMap::placeNear(const mrpt::math::TPoint3D& place)
 
 void SemanticVoxelMap::clear()
 {
+    Calibration calibration = std::move(m_calibration);
     *this = SemanticVoxelMap(m_options);
+    m_calibration = std::move(calibration);
 }
 
 VoxelCoord SemanticVoxelMap::voxelOf(const mrpt::math::TPoint3D& p) const
@@ -221,8 +223,7 @@ Instance& SemanticVoxelMap::split(instance_id_t from, const std::vector<VoxelCoo
         const VoxelCoord block = blockOf(v);
         moveEvidence(*m_blocks.find(block), block, cellOf(v), from, part.id);
     }
-    part.categories.add(whole.categories, categoryShare);
-    whole.categories.add(part.categories, -1);
+    part.categories = whole.categories.take(categoryShare);
     part.observations = shareOf(whole.observations, categoryShare);
     whole.observations -= part.observations;
     part.firstFrame = whole.firstFrame;
@@ -251,6 +252,12 @@ std::vector<mrpt::math::TPoint3Df> SemanticVoxelMap::centersOf(const Instance& i
                     voxelCenter<mrpt::math::TPoint3Df>(voxelAt(b, cell), m_options.resolution));
         });
     return centers;
+}
+
+CategoryEvidence SemanticVoxelMap::categoryEvidence(const Instance& instance) const
+{
+    return instance.withDecisions(
+        m_calibration.applied(instance.categories.independent(), m_categories));
 }
 
 void SemanticVoxelMap::deactivate(instance_id_t id)

@@ -56,6 +56,7 @@ void CVoxelandMap::setConfig(const MapperConfig& config)
     } catch (const std::invalid_argument& e) {
         throw ConfigurationError(std::string("[map] ") + e.what());
     }
+    if (config.calibration) m_map.edit().setCalibration(*config.calibration);
     m_configText = config.reproducibleText();
     UsersConfigurations::add(config);
     m_mapper.emplace(config);
@@ -85,8 +86,15 @@ void CVoxelandMap::placeNear(const CPose3D& pose)
     if (m_map->empty()) m_map.edit().placeNear(pose.translation());
 }
 
+bool CVoxelandMap::holds(const PreparedFrame& frame) const
+{
+    return m_frames.has(frame.time, frame.voxels.origin());
+}
+
 StageTimes CVoxelandMap::integrate(PreparedFrame frame)
 {
+    if (holds(frame)) return frame.times;
+    m_frames.add(frame.time, frame.voxels.origin());
     mapper();
     return m_mapper->integrate(std::move(frame), m_map.edit(), m_counts);
 }
@@ -125,6 +133,7 @@ void CVoxelandMap::internal_clear()
 {
     m_map.edit().clear();
     m_counts = {};
+    m_frames = {};
     m_camera.reset();
     startAssembler();
 }

@@ -93,10 +93,8 @@ void SurfaceAgreement::add(const VoxelizedFrame& frame, const SemanticVoxelMap& 
     }
 }
 
-MappedInput mapRawlog(
-    RawlogFrameSource& source, CVoxelandMap& map,
-    const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame,
-    bool strict)
+MappedInput mapRawlog(RawlogFrameSource& source, CVoxelandMap& map,
+                      const std::function<void(const StageTimes&)>& onFrame, bool strict)
 {
     MappedInput met;
     met.leftOut = LeftOut(strict);
@@ -115,12 +113,15 @@ MappedInput mapRawlog(
             },
             mapper.config().input.threads);
         while (auto frame = nextUsable(preparer, met.leftOut, unreadable)) {
-            const auto time = frame->time;
             met.depths.add(frame->voxels.depths());
             met.opinions += frame->opinions.size();
-            met.surfaces.add(frame->voxels, map.map());
-            onFrame(time, map.integrate(std::move(*frame)));
             mapped = true;
+            if (map.holds(*frame)) {
+                ++met.repeated;
+                continue;
+            }
+            met.surfaces.add(frame->voxels, map.map());
+            onFrame(map.integrate(std::move(*frame)));
         }
     }
     if (!source.stoppedBefore()) {
@@ -133,14 +134,5 @@ MappedInput mapRawlog(
     }
     map.addSkipped(source.skipped());
     return met;
-}
-
-std::set<mrpt::Clock::time_point> timesOfViews(const SemanticVoxelMap& map)
-{
-    std::set<mrpt::Clock::time_point> times;
-    for (const auto& [id, instance] : map.instances())
-        for (const auto& [category, views] : instance.views.byCategory())
-            for (const InstanceView& view : views) times.insert(view.time);
-    return times;
 }
 }  // namespace voxeland

@@ -12,6 +12,7 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include <algorithm>
+#include <limits>
 #include <ostream>
 
 namespace voxeland
@@ -107,6 +108,8 @@ MapFactoryResult CVoxelandMap::internal_CreateFromMapDefinition(
 
 namespace
 {
+constexpr size_t MOST_FRAMES = std::numeric_limits<uint32_t>::max();
+
 std::optional<std::string> readCamera(mrpt::serialization::CArchive& in)
 {
     const bool isKnown = readTruth(in);
@@ -129,6 +132,9 @@ void CVoxelandMap::serializeTo(mrpt::serialization::CArchive& out) const
     m_assembler.writeTo(out);
     likelihoodOptions.writeTo(out);
     out << genericMapParams << m_camera.has_value() << m_camera.value_or("");
+    const std::vector<uint64_t> frames = m_frames.sorted();
+    out << static_cast<uint32_t>(frames.size());
+    for (const uint64_t frame : frames) out << frame;
 }
 
 void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
@@ -145,6 +151,8 @@ void CVoxelandMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t vers
     read.likelihoodOptions.readFrom(in);
     in >> read.genericMapParams;
     if (version > 2) read.m_camera = readCamera(in);
+    if (version > 4)
+        read.m_frames = MappedFrames::restored(readValues<std::vector<uint64_t>>(in, MOST_FRAMES));
     *this = std::move(read);
 }
 }  // namespace voxeland

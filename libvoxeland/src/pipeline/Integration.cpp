@@ -2,6 +2,7 @@
 #include "Integration.h"
 
 #include "evidence/Displacement.h"
+#include "evidence/Repetition.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,16 +60,27 @@ bool isWonByAny(const std::vector<instance_id_t>& instances, const VoxelCoord& v
            std::binary_search(instances.begin(), instances.end(), map.winner(*evidence));
 }
 
-/** trustIn() the points of each hit voxel; 1 where the pose counts as exact. */
-std::vector<float> trustInHits(const PreparedFrame& frame)
+/** What a point in each hit voxel counts: trustIn() it, 1 where the pose counts as exact; by
+ * EvidenceRule::novelty as the points of one voxel repeat one another. */
+std::vector<float> weightsOfPoints(const PreparedFrame& frame, EvidenceRule rule)
 {
     const std::vector<HitVoxel>& hits = frame.voxels.hits();
-    std::vector<float> trust(hits.size(), 1);
+    std::vector<float> weights(hits.size(), 1);
     if (frame.uncertainty)
         for (size_t h = 0; h < hits.size(); ++h)
-            trust[h] = static_cast<float>(
+            weights[h] = static_cast<float>(
                 trustIn(hits[h].centroid, *frame.uncertainty, frame.voxels.resolution()));
-    return trust;
+    if (rule == EvidenceRule::novelty)
+        for (size_t h = 0; h < hits.size(); ++h)
+            weights[h] *= static_cast<float>(weightOfRepetition(hits[h].points));
+    return weights;
+}
+
+/** The side from which the camera saw an opinion's object. */
+side_t sideShown(const PreparedFrame& frame, const Opinion& opinion)
+{
+    return sideOf(mrpt::math::TPoint3Df(frame.voxels.origin()),
+                  mrpt::math::TPoint3Df(middleOf(opinion, frame.voxels.hits())));
 }
 }  // namespace
 
@@ -110,11 +122,11 @@ std::vector<instance_id_t> resolveAssignments(const std::vector<Assignment>& ass
 }
 
 void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id_t>& instances,
-                       const std::vector<instance_id_t>& missed, double unknownWeight,
+                       const std::vector<instance_id_t>& missed, const IntegrationOptions& options,
                        SemanticVoxelMap& map)
 {
     const std::vector<HitVoxel>& hits = frame.voxels.hits();
-    const std::vector<float> trust = trustInHits(frame);
+    const std::vector<float> weights = weightsOfPoints(frame, options.evidence);
     std::vector<float> left;  // points of each voxel that nobody has been given so far
     for (const HitVoxel& hit : hits) left.push_back(static_cast<float>(hit.points));
 
@@ -122,26 +134,31 @@ void integrateGeometry(const PreparedFrame& frame, const std::vector<instance_id
         for (const OpinionVoxel& v : frame.opinions[i].voxels) {
             const float given = std::min(v.points, left[v.hit]);
             left[v.hit] -= given;
-            map.addEvidence(hits[v.hit].coord, instances[i], given * trust[v.hit]);
+            map.addEvidence(hits[v.hit].coord, instances[i], given * weights[v.hit]);
         }
 
-    const auto weight = static_cast<float>(unknownWeight);
+    const auto unknownWeight = static_cast<float>(options.unknown_weight);
     for (size_t h = 0; h < hits.size(); ++h) {
-        const float unknown = left[h] * weight * trust[h];
+        const float unknown = left[h] * unknownWeight * weights[h];
         if (unknown > 0 && !isWonByAny(missed, hits[h].coord, map))
             map.addEvidence(hits[h].coord, UNKNOWN_INSTANCE, unknown);
     }
 }
 
-void integrateSemantics(const std::vector<OpinionOverlaps>& opinions,
+void integrateSemantics(const PreparedFrame& frame, const std::vector<OpinionOverlaps>& opinions,
                         const std::vector<instance_id_t>& instances, uint32_t frameNumber,
-                        double sharpness, SemanticVoxelMap& map)
+                        const IntegrationOptions& options, SemanticVoxelMap& map)
 {
     for (size_t i = 0; i < opinions.size(); ++i) {
         const Opinion& opinion = *opinions[i].opinion;
         Instance& instance = map.instance(instances[i]);
-        instance.categories.add(sharpened(opinions[i].categories, sharpness),
-                                static_cast<double>(opinion.confidence));
+        CategoryEvidence said;
+        said.add(sharpened(opinions[i].categories, options.sharpness),
+                 static_cast<double>(opinion.confidence));
+        if (options.evidence == EvidenceRule::novelty)
+            instance.categories.add(said, sideShown(frame, opinion));
+        else
+            instance.categories.add(said);
         const bool isNew = instance.observations == 0 && instance.history.empty();
         if (isNew) instance.firstFrame = frameNumber;
         map.saw(instance.id, frameNumber);

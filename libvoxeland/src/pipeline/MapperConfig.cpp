@@ -10,6 +10,7 @@
 #include "voxeland/base/printable.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <sstream>
 
@@ -67,6 +68,12 @@ void declare(OptionList& list, MapOptions& o, IntegrationOptions& integration)
     list.add("prob_max", o.occupancy.prob_max, {0.5, 1}, "Greatest probability a voxel can reach");
     list.add("membership", o.membership, {0, 1},
              "A voxel is part of an instance that has this share of its evidence for instances");
+    list.add("evidence", integration.evidence,
+             std::vector<std::pair<std::string, EvidenceRule>>{{"novelty", EvidenceRule::novelty},
+                                                               {"sum", EvidenceRule::sum}},
+             "What counts: novelty, an opinion by what it adds to those about the same side of an "
+             "object, a point likewise to those of its frame in the same voxel; sum, as in the "
+             "paper, each opinion and each point");
     list.add("unknown_weight", integration.unknown_weight, {0, 1},
              "Evidence for 'unknown' of a depth pixel that no detection claims");
     list.add("missed_share", integration.missed_share, {0, 1},
@@ -118,6 +125,18 @@ void declare(OptionList& list, RefinementOptions& o)
                       {"split", o.split, "split"}});
 }
 
+void declare(OptionList& list, CalibrationOptions& o)
+{
+    list.add("words", o.words,
+             "Table of what the detector's words mean, as voxeland-calibrate writes it; empty: "
+             "themselves, or what a resumed map says");
+    list.concernsRun();
+    list.forExperts();
+    list.add("agreement", o.agreement, {1, Calibration::MOST_AGREEMENT},
+             "How much words that agree make each other more credible, of that table");
+    list.concernsRun();
+}
+
 void declare(OptionList& list, DisambiguationOptions& o)
 {
     list.add("entropy_threshold", o.entropy_threshold, {0, INF},
@@ -141,10 +160,12 @@ void declare(OptionList& list, DisambiguationOptions& o)
              "disambiguate.txt");
     list.add("max_attempts", o.max_attempts, {1, 100}, "Times to ask until an answer can be used");
     list.add("parallel", o.parallel, {1, 64}, "Questions asked at a time");
-    list.add("decision_weight", o.decision_weight, {0.001, 1e6},
-             "Evidence of an answer, as a multiple of all evidence before; above 1 it wins");
+    list.add("answer_reliability", o.answer_reliability, {0.5, 0.999},
+             "Share of its answers that are right: an answer is evidence of that, beside what the "
+             "map knew");
     list.add("prompt_price", o.prompt_price, {0, INF}, "Price of a million tokens of questions");
     list.add("answer_price", o.answer_price, {0, INF}, "Price of a million tokens of answers");
+    list.retire("decision_weight");
     list.retire("view_selection");
     list.retire("seed");
 }
@@ -240,6 +261,23 @@ struct PluginSection
     }
 };
 
+/** The calibration that is named, if any. A relative name is looked for beside the INI first. */
+std::optional<Calibration> calibrationOf(const CalibrationOptions& options, const Ini& ini,
+                                         std::vector<std::string>& problems)
+{
+    if (options.words.empty()) return std::nullopt;
+    std::error_code error;
+    const auto beside = std::filesystem::path(ini.folder()) / options.words;
+    try {
+        return Calibration::fromCsv(
+            std::filesystem::exists(beside, error) ? beside.string() : options.words,
+            options.agreement);
+    } catch (const InputError& e) {
+        problems.push_back(std::string("[calibration] words: ") + e.what());
+        return std::nullopt;
+    }
+}
+
 /** What of a map's configuration is left out, in a sentence; empty if nothing is. */
 std::string leftToUser(const std::vector<const OptionList*>& lists, const std::string& map)
 {
@@ -268,8 +306,9 @@ void checkSections(const Ini& ini, std::vector<std::string>& problems)
 
 const std::vector<std::string>& MapperConfig::sections()
 {
-    static const std::vector<std::string> names = {"voxeland",    "map",        "converter",
-                                                   "association", "refinement", "disambiguation"};
+    static const std::vector<std::string> names = {"voxeland",      "map",         "calibration",
+                                                   "converter",     "association", "refinement",
+                                                   "disambiguation"};
     return names;
 }
 
@@ -278,13 +317,17 @@ MapperConfig::MapperConfig(const Ini& ini, Purpose purpose, const Tell& tell)
     const bool maps = purpose == Purpose::mapping;
     Problems problems;
     checkSections(ini, problems.settings);
-    OptionList inputList, mapList, refinementList;
+    CalibrationOptions calibrationOptions;
+    OptionList inputList, mapList, calibrationList, refinementList;
     declare(inputList, input);
     declare(mapList, map, integration);
+    declare(calibrationList, calibrationOptions);
     declare(refinementList, refinement);
     inputList.load(ini, "voxeland", problems.settings);
     mapList.load(ini, "map", problems.settings);
+    calibrationList.load(ini, "calibration", problems.settings);
     refinementList.load(ini, "refinement", problems.settings);
+    calibration = calibrationOf(calibrationOptions, ini, problems.settings);
     if (input.depth.min_depth >= input.depth.max_depth)
         problems.settings.push_back("[voxeland] min_depth must be less than max_depth");
     if (const std::string problem = problemOfPoseSource(input.pose_source); !problem.empty())
@@ -304,7 +347,11 @@ MapperConfig::MapperConfig(const Ini& ini, Purpose purpose, const Tell& tell)
         [this](OptionList& list) { declare(list, disambiguation); });
     std::vector<const OptionList*> needed = {&disambiguationSection.options};
     if (maps)
-        needed = {&inputList, &mapList, &converterSection.options, &associationSection.options,
+        needed = {&inputList,
+                  &mapList,
+                  &calibrationList,
+                  &converterSection.options,
+                  &associationSection.options,
                   &refinementList};
     if (const std::string left = leftToUser(needed, ini.mapName()); tell && !left.empty())
         tell(left);
@@ -320,6 +367,7 @@ MapperConfig::MapperConfig(const Ini& ini, Purpose purpose, const Tell& tell)
     const std::vector<std::pair<const char*, const OptionList*>> lists = {
         {"voxeland", &inputList},
         {"map", &mapList},
+        {"calibration", &calibrationList},
         {"converter", &converterSection.options},
         {"association", &associationSection.options},
         {"refinement", &refinementList},

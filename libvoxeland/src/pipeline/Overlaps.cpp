@@ -110,7 +110,7 @@ std::vector<OpinionOverlaps> OverlapFinder::find(const PreparedFrame& frame, dou
             o.visibleVoxels = m_visible.of(id);
             o.mappedVoxels = mapped;
             o.touchedVoxels = m_touched.of(id);
-            o.similarity = semanticSimilarity(asEvidence, instance.evidence());
+            o.similarity = semanticSimilarity(asEvidence, instance.categories.sum());
             overlaps.candidates.push_back(o);
         }
         result.push_back(std::move(overlaps));

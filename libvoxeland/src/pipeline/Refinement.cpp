@@ -157,7 +157,7 @@ void deactivateDoubtful(SemanticVoxelMap& map, const RefinementOptions& options,
 {
     for (const instance_id_t id : map.seenSince(sinceFrame)) {
         const Instance& instance = map.instance(id);
-        const bool doubtful = instance.categories.total() < options.min_evidence;
+        const bool doubtful = instance.categories.sum().total() < options.min_evidence;
         if (doubtful && frame > instance.lastFrame + options.patience)
             map.deactivate(id);
         else

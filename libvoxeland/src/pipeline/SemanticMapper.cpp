@@ -133,9 +133,10 @@ StageTimes SemanticMapper::integrate(PreparedFrame frame, SemanticVoxelMap& map,
         const auto instances = resolveAssignments(assignments, map);
         if (m_trace) m_trace->opinions(counts.frames, opinions, assignments, instances);
         integrateOccupancy(frame.space, map, frame.uncertainty);
-        const auto missed = m_overlaps.missed(instances, m_config.integration.missed_share, map);
-        integrateGeometry(frame, instances, missed, m_config.integration.unknown_weight, map);
-        integrateSemantics(opinions, instances, counts.frames, m_config.integration.sharpness, map);
+        const IntegrationOptions& options = m_config.integration;
+        const auto missed = m_overlaps.missed(instances, options.missed_share, map);
+        integrateGeometry(frame, instances, missed, options, map);
+        integrateSemantics(frame, opinions, instances, counts.frames, options, map);
         recordViews(frame, opinions, instances, counts.frames, map);
     }
     ++counts.frames;

@@ -43,6 +43,7 @@ struct UncertainDecision
 {
     double uncertainty = 0;
     bool wrong = false;
+    double probability = 0;  //!< that was given to what was decided, in [0,1]
 };
 
 /** A map beside its ground truth, in counts: all that the metrics need. */
@@ -51,8 +52,9 @@ struct EvaluatedScene
     std::string name;
     std::vector<TrueObject> objects;
     std::vector<PredictedInstance> instances;
-    std::vector<SharedPoints> overlaps;             //!< ordered by object, then instance
-    std::vector<UncertainDecision> pointDecisions;  //!< instance entropy of points, see compare()
+    std::vector<SharedPoints> overlaps;  //!< ordered by object, then instance
+    std::vector<UncertainDecision>
+        pointDecisions;  //!< of points about their instance, see compare()
 };
 
 /** Intersection over union of the two sides of an overlap, in (0,1]. */

@@ -35,6 +35,33 @@ struct ConfidentDecision
  *  bin; bins of equal width, closed above. NaN without decisions. */
 double expectedCalibrationError(const std::vector<ConfidentDecision>& decisions, int bins = 10);
 
+/** Some decisions of like probability, in a reliability diagram. */
+struct ReliabilityBin
+{
+    size_t decisions = 0;    //!< > 0
+    double probability = 0;  //!< mean of what they were given
+    double correct = 0;      //!< share of them that are
+};
+
+/** The diagram: bins of equally many decisions (but for one), in order of their probability. */
+std::vector<ReliabilityBin> reliability(std::vector<ConfidentDecision> decisions, int bins = 10);
+
+/** Expected calibration error with the bins of reliability(). NaN without decisions. */
+double equalMassCalibrationError(std::vector<ConfidentDecision> decisions, int bins = 10);
+
+/** What equalMassCalibrationError() would be on average if every probability was right: few
+ * decisions differ from what is expected of them by chance. Mean of 200 draws, the same each time.
+ * NaN without decisions. */
+double calibrationErrorByChance(std::vector<ConfidentDecision> decisions, int bins = 10);
+
+/** Mean over the decisions of (probability - 1 if correct, else 0)^2 (Brier 1950). NaN without
+ * decisions. */
+double brierScore(const std::vector<ConfidentDecision>& decisions);
+
+/** Mean over the decisions of -ln of the probability given to what happened [nat]; probabilities
+ * nearer to 0 or 1 than 1e-6 count as that. NaN without decisions. */
+double negativeLogLikelihood(const std::vector<ConfidentDecision>& decisions);
+
 /** A point of the paper's curve of precision against entropy. */
 struct PrecisionAtThreshold
 {

@@ -22,6 +22,8 @@ class CategoryTable
  public:
     /** Number of a name, added if new. */
     category_id_t add(const std::string& name);
+    /** Number of a name, if it has one. */
+    [[nodiscard]] std::optional<category_id_t> find(const std::string& name) const;
     /** Name of a number, UNKNOWN_CATEGORY_ID included; throws std::out_of_range for one that was
      * never given. */
     [[nodiscard]] const std::string& name(category_id_t id) const;

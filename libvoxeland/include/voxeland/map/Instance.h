@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/grid/VoxelCoord.h"
-#include "voxeland/map/CategoryEvidence.h"
+#include "voxeland/map/CategoryOpinions.h"
 #include "voxeland/map/Decision.h"
 #include "voxeland/map/InstanceEvent.h"
 #include "voxeland/map/InstanceViews.h"
@@ -17,7 +17,7 @@ namespace voxeland
 struct Instance
 {
     instance_id_t id = UNKNOWN_INSTANCE;
-    CategoryEvidence categories;  //!< beta of the Dirichlet over categories, as detectors said
+    CategoryOpinions categories;  //!< what detectors said it is
     uint32_t voxels = 0;          //!< number of voxels that are part of it (MapOptions::membership)
     uint32_t observations = 0;    //!< number of opinions integrated
     uint32_t firstFrame = 0;      //!< number of the frame that first saw it, from 0
@@ -29,12 +29,17 @@ struct Instance
     std::vector<InstanceEvent> history;  //!< its last merges and splits, in order of time
     std::vector<Decision> decisions;     //!< what was decided about it offline, in order of time
 
-    /** beta of the Dirichlet over categories, decisions included. */
+    /** Opinions by what they add, in the detector's words, and decisions. What that means is told
+     * by SemanticVoxelMap::categoryEvidence(). */
     [[nodiscard]] CategoryEvidence evidence() const
     {
-        CategoryEvidence all = categories;
-        for (const Decision& d : decisions) all.add(d.category, d.evidence);
-        return all;
+        return withDecisions(categories.independent());
+    }
+    /** Evidence, and decisions on top. */
+    [[nodiscard]] CategoryEvidence withDecisions(CategoryEvidence evidence) const
+    {
+        for (const Decision& d : decisions) evidence.add(d.category, d.evidence);
+        return evidence;
     }
 };
 }  // namespace voxeland

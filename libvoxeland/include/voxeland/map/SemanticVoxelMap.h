@@ -3,6 +3,7 @@
 #include "voxeland/evidence/Dirichlet.h"
 #include "voxeland/evidence/OccupancyFilter.h"
 #include "voxeland/grid/BlockMap.h"
+#include "voxeland/map/Calibration.h"
 #include "voxeland/map/Instance.h"
 #include "voxeland/map/MapBlock.h"
 
@@ -27,7 +28,7 @@ struct MapOptions
     double membership =
         0.25;  //!< a voxel is part of an instance if that has at least this share of what
                //!< speaks for instances there, in [0,1]; 0: a single vote does
-    double prior_strength = 2;  //!< W: W/K is added to each of K known categories
+    double prior_strength = 0.3;  //!< W: W/K is added to each of K known categories
     EntropyMeasure entropy = EntropyMeasure::expected;  //!< the measure used by queries
     uint32_t views_kept = 8;  //!< views an instance keeps of each category it was taken for
 };
@@ -137,9 +138,9 @@ class SemanticVoxelMap
      */
     void merge(instance_id_t survivor, instance_id_t absorbed, uint32_t frame);
     /** Makes a new instance of some voxels of an instance: their evidence for it moves, and the
-     *  share `categoryShare` in [0,1] of its category evidence and of its number of observations
-     *  (rounded). A view goes to the part that is nearer to what it looked at. \param frame after
-     * which it happens \return the new instance */
+     *  share `categoryShare` in [0,1] of the opinions about its category and of its number of
+     * observations (rounded). A view goes to the part that is nearer to what it looked at. \param
+     * frame after which it happens \return the new instance */
     Instance& split(instance_id_t from, const std::vector<VoxelCoord>& voxels, double categoryShare,
                     uint32_t frame);
     /** Notes that a frame, or one after it, saw an instance last. */
@@ -169,6 +170,13 @@ class SemanticVoxelMap
      * @{ */
     [[nodiscard]] const CategoryTable& categories() const { return m_categories; }
     [[nodiscard]] CategoryTable& categories() { return m_categories; }
+    /** What the detector's words mean. The opinions are kept as they are, so that it can be changed
+     * at any time. */
+    [[nodiscard]] const Calibration& calibration() const { return m_calibration; }
+    void setCalibration(Calibration calibration) { m_calibration = std::move(calibration); }
+    /** beta of an instance's Dirichlet over categories: what the opinions about it mean, and
+     * decisions. */
+    [[nodiscard]] CategoryEvidence categoryEvidence(const Instance& instance) const;
     /** @} */
 
     /** Memory of the voxels. */
@@ -214,5 +222,6 @@ class SemanticVoxelMap
     std::set<std::pair<uint32_t, instance_id_t>> m_byLastFrame;  //!< all live instances
     instance_id_t m_nextInstance = 1;
     CategoryTable m_categories;
+    Calibration m_calibration;
 };
 }  // namespace voxeland

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "voxeland/base/mrpt_compat.h"
+#include "voxeland/map/MappedFrames.h"
 #include "voxeland/metric_map/LikelihoodOptions.h"
 #include "voxeland/metric_map/SharedVoxelMap.h"
 #include "voxeland/observations/FrameAssembler.h"
@@ -41,7 +42,7 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
 
  public:
     /** Version of what is written to files. */
-    static constexpr uint8_t FORMAT = 4;
+    static constexpr uint8_t FORMAT = 5;
     /** The oldest version that is still read. */
     static constexpr uint8_t OLDEST_FORMAT = 2;
 
@@ -77,7 +78,10 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     /** Chooses the place of an empty map in the world, see SemanticVoxelMap::placeNear(). Comes
      * before the first frame. \param pose of its robot, in the world */
     void placeNear(const mrpt::poses::CPose3D& pose);
-    /** Adds a frame prepared by mapper() with a pose in the map's frame. \return its stage times */
+    /** Whether the map was made from this frame already. \param frame as for integrate() */
+    [[nodiscard]] bool holds(const PreparedFrame& frame) const;
+    /** Adds a frame prepared by mapper() with a pose in the map's frame, unless the map holds() it:
+     * seen again nothing is learnt from it. \return its stage times */
     StageTimes integrate(PreparedFrame frame);
 
     /** Lets integrate() tell why it decides as it does, until the configuration changes.
@@ -169,6 +173,7 @@ class CVoxelandMap : public mrpt::maps::CMetricMap
     std::optional<std::string> m_camera;  //!< sensor label (maybe empty) of the first scan
     SharedVoxelMap m_map;
     MappingCounts m_counts;
+    MappedFrames m_frames;
     FrameAssembler m_assembler;
     std::optional<SemanticMapper> m_mapper;
 };

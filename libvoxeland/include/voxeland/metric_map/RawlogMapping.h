@@ -5,7 +5,6 @@
 #include "voxeland/rawlogs/RawlogFrameSource.h"
 
 #include <functional>
-#include <set>
 
 namespace voxeland
 {
@@ -32,21 +31,17 @@ struct MappedInput
     DepthsMet depths;          //!< of all frames mapped
     uint64_t predictions = 0;  //!< of the frames that have a pose
     uint64_t opinions = 0;     //!< that they became
+    uint32_t repeated = 0;     //!< frames left out, as the map was made from them already
     SurfaceAgreement surfaces;
 };
 
 /** Maps all frames of a rawlog, which are read and prepared ahead in several threads. A frame
- *  whose depth image is missing, damaged or empty is left out.
- *  \param onFrame called after each frame with its timestamp and stage times
+ *  whose depth image is missing, damaged or empty is left out, and so is one that the map holds().
+ *  \param onFrame called after each frame with its stage times
  *  \param strict such a frame is an error instead
  *  \throws InputError as RawlogFrameSource and SemanticMapper do, and if no frame is usable;
  *  NothingToMapError if there is no frame with a pose, unless the source was stopped before it, or
  *  none with a depth within the limits. The map then holds the frames before. */
-MappedInput mapRawlog(
-    RawlogFrameSource& source, CVoxelandMap& map,
-    const std::function<void(const mrpt::Clock::time_point&, const StageTimes&)>& onFrame,
-    bool strict = false);
-
-/** Timestamps of the frames that a map is known to hold: those of which it keeps views. */
-std::set<mrpt::Clock::time_point> timesOfViews(const SemanticVoxelMap& map);
+MappedInput mapRawlog(RawlogFrameSource& source, CVoxelandMap& map,
+                      const std::function<void(const StageTimes&)>& onFrame, bool strict = false);
 }  // namespace voxeland

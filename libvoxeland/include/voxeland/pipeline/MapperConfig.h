@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace voxeland
@@ -33,9 +34,18 @@ struct InputOptions
     bool trust_paths = false;
 };
 
+/** What is evidence. */
+enum class EvidenceRule
+{
+    novelty,  //!< by what is added: the points that a frame measures in one voxel repeat one
+              //!< another, and so do opinions about one side, see CategoryOpinions::independent()
+    sum       //!< the paper's: each point and each opinion counts, however often it is repeated
+};
+
 /** How opinions become evidence; part of section [map]. */
 struct IntegrationOptions
 {
+    EvidenceRule evidence = EvidenceRule::novelty;
     double unknown_weight = 0.2;  //!< evidence for *unknown* of a pixel that no opinion claims
     /** No voxel of an instance counts as *unknown* in a frame that shows more than this
      * share of the instance, in [0,1], but has no opinion about it; 1 switches that off. Where
@@ -68,6 +78,13 @@ struct RefinementOptions
     double min_part_share = 0.1;  //!< ... and its least share of the instance's voxels
 };
 
+/** Section [calibration]: what the detector's words mean. */
+struct CalibrationOptions
+{
+    std::string words;     //!< file of Calibration::fromCsv(); empty: words mean themselves
+    double agreement = 1;  //!< see Calibration::applied()
+};
+
 /** Everything an INI says, checked, with the plugins it names. Copies share the
  * plugins, which do not change once configured. */
 class MapperConfig
@@ -96,6 +113,8 @@ class MapperConfig
     MapOptions map;
     IntegrationOptions integration;
     RefinementOptions refinement;
+    /** What maps are given; none: they keep what they have. */
+    std::optional<Calibration> calibration;
     DisambiguationOptions disambiguation;
     std::shared_ptr<const COpinionConverter> converter;     //!< for asking maybe null
     std::shared_ptr<const CAssociationPolicy> association;  //!< likewise

@@ -22,8 +22,8 @@ struct DisambiguationOptions
     std::string prompt;               //!< file of the prompt's template; empty: the built-in one
     uint32_t max_attempts = 3;        //!< questions until an answer can be used
     uint32_t parallel = 4;            //!< questions asked at a time
-    double decision_weight = 2;  //!< evidence of an answer, as a multiple of all there is before
-    double prompt_price = 0;     //!< of a million tokens of question, in any currency
-    double answer_price = 0;     //!< of a million tokens of answer
+    double answer_reliability = 0.9;  //!< share of answers that are right, in [0.5, 0.999]
+    double prompt_price = 0;          //!< of a million tokens of question, in any currency
+    double answer_price = 0;          //!< of a million tokens of answer
 };
 }  // namespace voxeland
