@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
 
 namespace voxeland
 {
@@ -46,7 +46,6 @@ std::string wordFor(const std::string& category, const std::map<std::string, dou
 struct Counts
 {
     std::map<std::string, std::map<std::string, double>> ofWord;
-    std::set<std::string> words;
     double right = 0, unknown = 0, all = 0;
 
     explicit Counts(const std::vector<const Samples*>& maps)
@@ -59,7 +58,7 @@ struct Counts
     [[nodiscard]] std::map<std::string, double> frequencies() const
     {
         std::map<std::string, double> result;
-        for (const std::string& word : words) result[word] = 1;
+        for (const auto& [word, counts] : ofWord) result[word] = 1;
         for (const auto& [word, counts] : ofWord)
             for (const auto& [category, n] : counts)
                 if (category != UNKNOWN_CATEGORY) result[category] += n;
@@ -72,7 +71,6 @@ struct Counts
         const double total = totalOf(s.words);
         for (const auto& [word, evidence] : s.words) {
             const double share = evidence / total;
-            words.insert(word);
             ofWord[word][s.truth] += share;
             all += share;
             if (word == s.truth) right += share;
@@ -94,8 +92,7 @@ std::map<std::string, Calibration::Meaning> meaningsFrom(const Counts& counts)
     const double frequencyOfAll = totalOf(frequencies);
 
     std::map<std::string, Calibration::Meaning> meanings;
-    for (const std::string& word : counts.words) {
-        const auto& met = counts.ofWord.at(word);
+    for (const auto& [word, met] : counts.ofWord) {
         const double total = totalOf(met) + PRIOR;
         const double others = frequencyOfAll - frequencies.at(word);
         Calibration::Meaning& meaning = meanings[word];
@@ -188,8 +185,12 @@ Calibration learnCalibration(const std::vector<std::vector<CalibrationSample>>& 
             sum += lossOf(Calibration(meanings[i], agreement), folds[i]);
         return sum;
     };
-    const double best = *std::min_element(std::begin(AGREEMENTS), std::end(AGREEMENTS),
-                                          [&](double a, double b) { return loss(a) < loss(b); });
+    double best = 0, least = std::numeric_limits<double>::infinity();
+    for (const double agreement : AGREEMENTS)
+        if (const double l = loss(agreement); l < least) {
+            least = l;
+            best = agreement;
+        }
     return Calibration(meaningsFrom(Counts(allBut(folds, folds.size()))), best);
 }
 }  // namespace voxeland

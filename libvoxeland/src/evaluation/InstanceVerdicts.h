@@ -22,8 +22,8 @@ std::vector<std::optional<size_t>> objectsOfInstances(const EvaluatedScene& scen
                                                       size_t minPoints);
 
 /** Are the categories right? Each instance is compared to its object, see objectsOfInstances().
- *  Correct: the same evaluation class. Pairs
- *  where neither side has an evaluation class cannot be judged and are left out. */
+ *  Correct: the same evaluation class. Pairs where neither side has an evaluation class cannot be
+ *  judged and are left out. */
 std::vector<InstanceVerdict> categoryVerdicts(const std::vector<EvaluatedScene>& scenes,
                                               const EvaluationProtocol& protocol);
 

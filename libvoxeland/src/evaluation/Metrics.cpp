@@ -41,12 +41,12 @@ ClassMetrics evaluateClass(const std::vector<EvaluatedScene>& scenes, class_id_t
 Confidence confidenceIn(const std::vector<ConfidentDecision>& decisions)
 {
     Confidence c;
+    c.diagram = reliability(decisions);
     c.calibrationError = expectedCalibrationError(decisions);
-    c.equalMassError = equalMassCalibrationError(decisions);
+    c.equalMassError = calibrationErrorOf(c.diagram);
     c.errorByChance = NOT_A_NUMBER;
     c.brier = brierScore(decisions);
     c.logLikelihoodLoss = negativeLogLikelihood(decisions);
-    c.diagram = reliability(decisions);
     return c;
 }
 

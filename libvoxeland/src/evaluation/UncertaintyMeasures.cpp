@@ -107,14 +107,21 @@ std::vector<ReliabilityBin> reliability(std::vector<ConfidentDecision> decisions
     return diagram;
 }
 
+double calibrationErrorOf(const std::vector<ReliabilityBin>& diagram)
+{
+    if (diagram.empty()) return NOT_A_NUMBER;
+    double surplus = 0, decisions = 0;
+    for (const ReliabilityBin& bin : diagram) {
+        const auto n = static_cast<double>(bin.decisions);
+        surplus += n * std::abs(bin.correct - bin.probability);
+        decisions += n;
+    }
+    return surplus / decisions;
+}
+
 double equalMassCalibrationError(std::vector<ConfidentDecision> decisions, int bins)
 {
-    if (decisions.empty()) return NOT_A_NUMBER;
-    const auto n = static_cast<double>(decisions.size());
-    double error = 0;
-    for (const ReliabilityBin& bin : reliability(std::move(decisions), bins))
-        error += static_cast<double>(bin.decisions) / n * std::abs(bin.correct - bin.probability);
-    return error;
+    return calibrationErrorOf(reliability(std::move(decisions), bins));
 }
 
 double calibrationErrorByChance(std::vector<ConfidentDecision> decisions, int bins)

@@ -17,8 +17,9 @@ namespace
 {
 const std::vector<std::string> HEADER = {"word", "category", "probability"};
 
-/** Throws std::invalid_argument unless all are above 0 and sum to 1, or nearly so. */
-void checkMeaning(const std::string& word, const Calibration::Meaning& meaning, double tolerance)
+/** \return the sum, of which the meaning of a word is shares
+ *  \throws std::invalid_argument unless all are above 0 and sum to 1, or nearly so */
+double checkedSum(const std::string& word, const Calibration::Meaning& meaning, double tolerance)
 {
     double sum = 0;
     for (const auto& [category, p] : meaning) {
@@ -28,13 +29,7 @@ void checkMeaning(const std::string& word, const Calibration::Meaning& meaning, 
     if (!(std::abs(sum - 1) <= tolerance))
         throw std::invalid_argument("the probabilities of '" + word + "' sum to " +
                                     numberText(sum) + " instead of 1");
-}
-
-void normalize(Calibration::Meaning& meaning)
-{
-    double sum = 0;
-    for (const auto& [category, p] : meaning) sum += p;
-    for (auto& [category, p] : meaning) p /= sum;
+    return sum;
 }
 }  // namespace
 
@@ -43,7 +38,7 @@ Calibration::Calibration(std::map<std::string, Meaning> meanings, double agreeme
 {
     if (!(agreement >= 1 && agreement <= MOST_AGREEMENT))
         throw std::invalid_argument("the agreement is not within 1 and 100");
-    for (const auto& [word, meaning] : m_meanings) checkMeaning(word, meaning, 1e-9);
+    for (const auto& [word, meaning] : m_meanings) checkedSum(word, meaning, 1e-9);
 }
 
 Calibration Calibration::fromCsv(const std::string& file, double agreement)
@@ -59,8 +54,8 @@ Calibration Calibration::fromCsv(const std::string& file, double agreement)
     }
     try {
         for (auto& [word, meaning] : meanings) {
-            checkMeaning(word, meaning, 0.01 + 1e-9);  // people round
-            normalize(meaning);
+            const double sum = checkedSum(word, meaning, 0.01 + 1e-9);  // people round
+            for (auto& [category, p] : meaning) p /= sum;
         }
         return Calibration(std::move(meanings), agreement);
     } catch (const std::invalid_argument& e) {

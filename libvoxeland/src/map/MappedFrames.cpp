@@ -38,9 +38,9 @@ bool MappedFrames::has(const mrpt::Clock::time_point& time,
     return m_hashes.count(hashOf(time, camera)) > 0;
 }
 
-void MappedFrames::add(const mrpt::Clock::time_point& time, const mrpt::math::TPoint3D& camera)
+bool MappedFrames::add(const mrpt::Clock::time_point& time, const mrpt::math::TPoint3D& camera)
 {
-    if (time != INVALID_TIMESTAMP) m_hashes.insert(hashOf(time, camera));
+    return time == INVALID_TIMESTAMP || m_hashes.insert(hashOf(time, camera)).second;
 }
 
 std::vector<uint64_t> MappedFrames::sorted() const

@@ -93,8 +93,7 @@ bool CVoxelandMap::holds(const PreparedFrame& frame) const
 
 StageTimes CVoxelandMap::integrate(PreparedFrame frame)
 {
-    if (holds(frame)) return frame.times;
-    m_frames.add(frame.time, frame.voxels.origin());
+    if (!m_frames.add(frame.time, frame.voxels.origin())) return frame.times;
     mapper();
     return m_mapper->integrate(std::move(frame), m_map.edit(), m_counts);
 }

@@ -15,9 +15,10 @@ namespace voxeland
  *
  *  `pointDecisions` are the points that took an instance, with the entropy of their voxel over
  *  instances [nat] and the probability of the one that wins it; an instance stands for the object
- * that it shares most points with, and the decision is wrong if the point belongs to another one.
- * Points of no object are left out, or wrong where void counts as wrong. \param name of the scene
- */
+ *  that it shares most points with, and the decision is wrong if the point belongs to another one.
+ *  Points of no object are left out, or wrong where void counts as wrong.
+ *
+ *  \param name of the scene */
 EvaluatedScene compare(const SemanticVoxelMap& map, const GroundTruth& truth,
                        const LabelMap& labels, const EvaluationProtocol& protocol,
                        const std::string& name);

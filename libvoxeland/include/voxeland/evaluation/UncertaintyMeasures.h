@@ -46,7 +46,9 @@ struct ReliabilityBin
 /** The diagram: bins of equally many decisions (but for one), in order of their probability. */
 std::vector<ReliabilityBin> reliability(std::vector<ConfidentDecision> decisions, int bins = 10);
 
-/** Expected calibration error with the bins of reliability(). NaN without decisions. */
+/** Expected calibration error with the bins of a diagram. NaN if it is empty. */
+double calibrationErrorOf(const std::vector<ReliabilityBin>& diagram);
+/** The same with those of reliability(). */
 double equalMassCalibrationError(std::vector<ConfidentDecision> decisions, int bins = 10);
 
 /** What equalMassCalibrationError() would be on average if every probability was right: few

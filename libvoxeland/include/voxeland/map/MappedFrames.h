@@ -18,7 +18,8 @@ class MappedFrames
      * within 0.1 mm are one */
     [[nodiscard]] bool has(const mrpt::Clock::time_point& time,
                            const mrpt::math::TPoint3D& camera) const;
-    void add(const mrpt::Clock::time_point& time, const mrpt::math::TPoint3D& camera);
+    /** \return whether the frame was not known */
+    bool add(const mrpt::Clock::time_point& time, const mrpt::math::TPoint3D& camera);
 
     /** \name For files: a hash of each frame's time and camera
      * @{ */
